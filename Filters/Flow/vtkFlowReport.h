@@ -11,6 +11,7 @@
 #include <array>
 #include <map>
 #include <ostream>
+#include <string>
 #include <vector>
 
 namespace interlume
@@ -91,6 +92,16 @@ public:
   /// the first.
   vtkIdType OpenInterfaces = 0;
   vtkIdType FirstOpenCell = -1;
+  /// The bytes of the vectors, and of the arrays that means are taken of, that this process holds.
+  vtkIdType FieldBytes = 0;
+  /// Of processes that hold the field in parts: the steps that each took, rejected ones too, for
+  /// whichever samples; and how often a streamline was handed on to the next process, in all of
+  /// them. Both are the same in each process, and 0 or empty where a process holds all.
+  std::vector<vtkIdType> StepsOfRanks;
+  vtkIdType HandedOn = 0;
+  /// Why each of several processes holds the whole field; empty where they hold parts, and for one
+  /// process.
+  std::string WholeFieldReason;
   /// The error and the speed in use, which tell what was taken for automatic settings.
   double MaximumError = 0.0;
   double MinimumSpeed = 0.0;

@@ -8,6 +8,7 @@
 #include "Samples/ImplicitFlowRun.h"
 #include "Samples/OutputPiece.h"
 #include "Samples/SampleGrid.h"
+#include "Streams/RankField.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
@@ -18,10 +19,12 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTerminationSphere.h"
 #include "vtkTerminationSurface.h"
@@ -29,6 +32,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 
 vtkStandardNewMacro(vtkImplicitFlowField);
@@ -51,6 +55,7 @@ bool IsEnd(int type, bool isBackward)
 
 vtkImplicitFlowField::vtkImplicitFlowField()
 {
+  this->Controller = vtkMultiProcessController::GetGlobalController();
   this->SetNumberOfInputPorts(2);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::VECTORS);
@@ -148,6 +153,20 @@ const char* vtkImplicitFlowField::GetMeanArrayName(int i) const
   return i >= 0 && i < this->GetNumberOfMeanArrays()
     ? this->MeanArrays[static_cast<std::size_t>(i)].c_str()
     : nullptr;
+}
+
+void vtkImplicitFlowField::SetController(vtkMultiProcessController* controller)
+{
+  if (controller != this->Controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkImplicitFlowField::GetController() const
+{
+  return this->Controller;
 }
 
 vtkMTimeType vtkImplicitFlowField::GetMTime()
@@ -253,13 +272,21 @@ int vtkImplicitFlowField::RequestUpdateExtent(
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* field = inputs[0]->GetInformationObject(0);
+  std::string reason;
+  const bool isInParts = this->IsInParts(inputs, outputs, reason);
+  // The pipeline splits the extent by the numbers of the piece.
   if (field->Has(Pipeline::WHOLE_EXTENT()))
   {
     field->Set(Pipeline::UPDATE_EXTENT(), field->Get(Pipeline::WHOLE_EXTENT()), 6);
   }
-  field->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-  field->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  field->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  // Samples at the field's own points may be wanted beyond the part, with their arrays.
+  const int levels =
+    outputs->GetInformationObject(0)->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
+  field->Set(
+    Pipeline::UPDATE_PIECE_NUMBER(), isInParts ? this->Controller->GetLocalProcessId() : 0);
+  field->Set(
+    Pipeline::UPDATE_NUMBER_OF_PIECES(), isInParts ? this->Controller->GetNumberOfProcesses() : 1);
+  field->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), isInParts ? std::max(1, levels) : 0);
   if (inputs[1]->GetNumberOfInformationObjects() == 0)
   {
     return 1;
@@ -283,6 +310,64 @@ int vtkImplicitFlowField::RequestUpdateExtent(
   return 1;
 }
 
+bool vtkImplicitFlowField::TakesFieldPoints(vtkInformation* field) const
+{
+  int extent[6];
+  field->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  vtkIdType points = 1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    points *= extent[2 * axis + 1] - extent[2 * axis] + 1;
+  }
+  return this->SampleMode == SAMPLES_OF_FIELD ||
+    (this->SampleMode == SAMPLES_AUTOMATIC && points <= interlume::SampleGrid::MostPoints);
+}
+
+bool vtkImplicitFlowField::IsInParts(
+  vtkInformationVector** inputs, vtkInformationVector* outputs, std::string& reason) const
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (!this->Controller || this->Controller->GetNumberOfProcesses() < 2)
+  {
+    return false;
+  }
+  vtkInformation* output = outputs->GetInformationObject(0);
+  vtkInformation* field = inputs[0]->GetInformationObject(0);
+  vtkDataObject* data = field->Get(vtkDataObject::DATA_OBJECT());
+  const bool isImage = vtkImageData::SafeDownCast(data) != nullptr;
+  const auto isPlacedByVectors = [](const auto& surface) { return surface->IsPlacedByVectors(); };
+  if (!interlume::RankExchange::IsPossible(this->Controller))
+  {
+    reason = "VTK has no DIY for these processes";
+  }
+  else if (output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) !=
+      this->Controller->GetNumberOfProcesses() ||
+    output->Get(Pipeline::UPDATE_PIECE_NUMBER()) != this->Controller->GetLocalProcessId())
+  {
+    reason = "the pieces that are asked for are not those of the processes";
+  }
+  else if (!field->Has(Pipeline::WHOLE_EXTENT()) ||
+    !(isImage || vtkRectilinearGrid::SafeDownCast(data)) ||
+    !interlume::FieldPart::HasCells(field->Get(Pipeline::WHOLE_EXTENT())))
+  {
+    reason = "it is no image or rectilinear grid of three dimensions";
+  }
+  else if (!isImage && this->SampleMode == SAMPLES_AUTOMATIC && !this->TakesFieldPoints(field))
+  {
+    reason = "the samples are fewer points of a rectilinear grid";
+  }
+  else if (this->CriticalPointSpheres || this->ShareStreamlines)
+  {
+    reason = this->CriticalPointSpheres ? "critical points are looked for in it"
+                                        : "samples may share streamlines";
+  }
+  else if (std::any_of(this->Surfaces.begin(), this->Surfaces.end(), isPlacedByVectors))
+  {
+    reason = "a termination surface is placed by its vectors";
+  }
+  return reason.empty();
+}
+
 int vtkImplicitFlowField::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -300,7 +385,22 @@ int vtkImplicitFlowField::RequestData(
     vtkErrorMacro(<< wrong);
     return 1;
   }
-  const vtkSmartPointer<vtkDataSet> field = input.MakeField();
+  vtkSmartPointer<vtkDataSet> field = input.MakeField();
+  std::string reason;
+  std::unique_ptr<interlume::RankField> ranks;
+  vtkDataSet* data = field;
+  if (this->IsInParts(inputs, outputs, reason))
+  {
+    ranks = std::make_unique<interlume::RankField>(this->Controller,
+      inputs[0]->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()));
+    const std::string lack = ranks->SetData(field);
+    if (!lack.empty())
+    {
+      vtkErrorMacro(<< lack);
+      return 1;
+    }
+    field = ranks->GetWhole();
+  }
   if (!field || field->GetNumberOfPoints() == 0)
   {
     return 1;
@@ -316,18 +416,25 @@ int vtkImplicitFlowField::RequestData(
     samples = this->MakeSamples(inputs);
   }
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* vectors = this->GetInputArrayToProcess(0, field, association);
-  std::string error = interlume::FieldVectors::CheckVectors(
-    field, vectors, association, this->GetInputArrayInformation(0));
-  if (error.empty() &&
-    (!this->SetSamples(input, field, inputs, outputs, samples) ||
-      !this->PlaceSurfaces(field, vectors, options)))
+  vtkDataArray* vectors = this->GetInputArrayToProcess(0, data, association);
+  std::string error;
+  if (!ranks || !ranks->IsEmpty())
+  {
+    error = interlume::FieldVectors::CheckVectors(
+      data, vectors, association, this->GetInputArrayInformation(0));
+  }
+  error = ranks ? ranks->GetExchange().FindFirst(error) : error;
+  const bool isWrong = error.empty() &&
+    (!this->SetSamples(input, field, ranks.get(), inputs, outputs, samples) ||
+      !this->PlaceSurfaces(field, vectors, options));
+  if (ranks ? ranks->GetExchange().IsAnywhere(isWrong) : isWrong)
   {
     output->Initialize();
     return 1;
   }
   this->SetProgressText("Following the streamline of every sample");
   vtkFlowReport report;
+  bool isAborted = this->GetAbortExecute();
   if (error.empty())
   {
     if (this->CriticalPointSpheres)
@@ -335,8 +442,14 @@ int vtkImplicitFlowField::RequestData(
       this->AddSpheres(field, options);
     }
     interlume::ImplicitFlowRun run(this, options, field, vectors);
+    if (ranks)
+    {
+      run.SetRanks(ranks.get());
+    }
     error = run.Execute(samples);
     report = run.GetReport();
+    report.WholeFieldReason = reason;
+    isAborted = isAborted || run.WasAborted();
     this->Mesh = run.GetMesh();
     if (run.GetRefined())
     {
@@ -347,10 +460,11 @@ int vtkImplicitFlowField::RequestData(
   {
     vtkErrorMacro(<< error);
   }
-  if (!error.empty() || this->GetAbortExecute())
+  isAborted = isAborted || this->GetAbortExecute();
+  if (!error.empty() || isAborted)
   {
     output->Initialize();
-    return this->GetAbortExecute() ? interlume::AbortCheck::Leave(outputs) : 1;
+    return isAborted ? interlume::AbortCheck::Leave(outputs) : 1;
   }
   this->Report = report;
   this->Report.Executions = executions + 1;
@@ -425,7 +539,8 @@ std::string vtkImplicitFlowField::CheckBlocks(const interlume::FieldInput& input
 }
 
 bool vtkImplicitFlowField::SetSamples(const interlume::FieldInput& input, vtkDataSet* field,
-  vtkInformationVector** inputs, vtkInformationVector* outputs, vtkDataSet* output)
+  const interlume::RankField* ranks, vtkInformationVector** inputs, vtkInformationVector* outputs,
+  vtkDataSet* output)
 {
   if (this->SampleMode == SAMPLES_OF_IMAGE)
   {
@@ -456,6 +571,7 @@ bool vtkImplicitFlowField::SetSamples(const interlume::FieldInput& input, vtkDat
     return true;
   }
   vtkSmartPointer<vtkDataSet> samples;
+  const int* whole = nullptr;
   if (this->SampleMode == SAMPLES_OF_INPUT)
   {
     samples = vtkDataSet::GetData(inputs[1]);
@@ -468,18 +584,30 @@ bool vtkImplicitFlowField::SetSamples(const interlume::FieldInput& input, vtkDat
   else
   {
     const bool mayBeFewer = this->SampleMode == SAMPLES_AUTOMATIC;
-    samples =
-      input.MakeSamples(mayBeFewer ? interlume::SampleGrid::Make(field).GetPointer() : field);
+    const bool areFewer =
+      mayBeFewer && field->GetNumberOfPoints() > interlume::SampleGrid::MostPoints;
+    vtkSmartPointer<vtkDataSet> points = field;
+    if (areFewer)
+    {
+      points = interlume::SampleGrid::Make(field);
+    }
+    else if (ranks)
+    {
+      points = ranks->GetData();
+      whole = ranks->GetPart().WholeExtent;
+    }
+    samples = input.MakeSamples(points);
   }
   output->ShallowCopy(samples);
   if (this->SampleMode != SAMPLES_OF_INPUT)
   {
-    this->CutPiece(outputs->GetInformationObject(0), output);
+    this->CutPiece(outputs->GetInformationObject(0), whole, output);
   }
   return true;
 }
 
-void vtkImplicitFlowField::CutPiece(vtkInformation* info, vtkDataSet* output) const
+void vtkImplicitFlowField::CutPiece(
+  vtkInformation* info, const int* whole, vtkDataSet* output) const
 {
   if (vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(output))
   {
@@ -488,7 +616,8 @@ void vtkImplicitFlowField::CutPiece(vtkInformation* info, vtkDataSet* output) co
   else if (output->GetExtentType() == VTK_3D_EXTENT)
   {
     int extent[6];
-    this->GetExtent(info, output->GetInformation()->Get(vtkDataObject::DATA_EXTENT()), extent);
+    this->GetExtent(
+      info, whole ? whole : output->GetInformation()->Get(vtkDataObject::DATA_EXTENT()), extent);
     output->Crop(extent);
   }
 }
@@ -610,6 +739,7 @@ void vtkImplicitFlowField::PrintSelf(ostream& os, vtkIndent indent)
     os << indent << surface->GetClassName() << ":\n";
     surface->PrintSelf(os, indent.GetNextIndent());
   }
+  os << indent << "Controller: " << this->Controller << "\n";
   interlume::NamedValue::Print(os, indent,
     { { "DomainFaces", this->DomainFaces }, { "DomainFaceId", this->DomainFaceId },
       { "CriticalPointSpheres", this->CriticalPointSpheres },

@@ -14,12 +14,14 @@
 #include <vector>
 
 class vtkDataArray;
+class vtkMultiProcessController;
 class vtkTerminationSurface;
 
 namespace interlume
 {
 class FieldInput;
 class MeshLinks;
+class RankField;
 struct AdvectionOptions;
 }
 
@@ -77,8 +79,15 @@ struct AdvectionOptions;
  * step; such a part of the error, in stiff fields, counts by what is left of it.
  *
  * **Pieces.** A sample needs all of the field that its streamline meets: of port 0 the whole is
- * asked for, whatever the piece; samples are those of the piece. With several ranks each holds the
- * whole field.
+ * asked for, whatever the piece; samples are those of the piece.
+ *
+ * **Processes.** Where each process of the controller is asked for its own piece, an image or a
+ * rectilinear grid stays in parts: each process asks for its cells and a layer around them, and
+ * streamlines go from process to process (VTK's DIY). Answers have the bytes that one process gives
+ * them. All processes have to execute at once. Each holds the whole field, and the report says why,
+ * for grids of other kinds; where the samples are fewer points of a rectilinear grid
+ * (SAMPLES_AUTOMATIC); with CriticalPointSpheres, ShareStreamlines, or a surface that is placed by
+ * the vectors; and where VTK has no DIY.
  *
  * The output is the same for any number of threads. AdvectionTime is left as the active scalars.
  *
@@ -351,6 +360,15 @@ public:
   vtkBooleanMacro(KeepSteps, bool);
   ///@}
 
+  ///@{
+  /**
+   * The processes that hold a field in parts together. Default: the global controller at the time
+   * of construction; null: none.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController() const;
+  ///@}
+
   /// Returns the time of the last change, of the surfaces too.
   vtkMTimeType GetMTime() override;
 
@@ -386,11 +404,20 @@ private:
   std::string CheckBlocks(const interlume::FieldInput& input);
   /// Makes a dataset of the type that samples have before they are refined.
   vtkSmartPointer<vtkDataSet> MakeSamples(vtkInformationVector** inputs) const;
-  /// Gives \a output the samples' geometry and point data.
+  /// Returns whether the field is to stay in parts that processes hold; where it is not although
+  /// there are several, \a reason says why.
+  bool IsInParts(
+    vtkInformationVector** inputs, vtkInformationVector* outputs, std::string& reason) const;
+  /// Returns whether the samples are the points of a field with a whole extent.
+  bool TakesFieldPoints(vtkInformation* field) const;
+  /// Gives \a output the samples' geometry and point data. \a ranks is null where the field is
+  /// whole.
   bool SetSamples(const interlume::FieldInput& input, vtkDataSet* field,
-    vtkInformationVector** inputs, vtkInformationVector* outputs, vtkDataSet* output);
-  /// Cuts the whole field down to the piece that is asked for.
-  void CutPiece(vtkInformation* info, vtkDataSet* output) const;
+    const interlume::RankField* ranks, vtkInformationVector** inputs, vtkInformationVector* outputs,
+    vtkDataSet* output);
+  /// Cuts the whole field down to the piece that is asked for. \a whole is the whole extent, where
+  /// \a output is not the whole.
+  void CutPiece(vtkInformation* info, const int* whole, vtkDataSet* output) const;
   /// Computes the part of a whole extent that is asked for; the piece's part where cells are
   /// refined.
   void GetExtent(vtkInformation* info, const int whole[6], int extent[6]) const;
@@ -403,6 +430,7 @@ private:
   /// Adds a surface to the options, and keeps it as long as they last.
   void UseSurface(vtkTerminationSurface* surface, int id, interlume::AdvectionOptions& options);
 
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   std::vector<vtkSmartPointer<vtkTerminationSurface>> Surfaces;
   std::vector<std::pair<vtkSmartPointer<vtkTerminationSurface>, int>> UsedSurfaces;
   bool CriticalPointSpheres = false;

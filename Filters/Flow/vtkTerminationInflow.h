@@ -37,6 +37,7 @@ public:
   ///@}
 
   std::string PlaceIn(vtkDataSet* field, vtkDataArray* vectors, bool isBackward) override;
+  bool IsPlacedByVectors() const override { return true; }
 
 protected:
   vtkTerminationInflow() = default;

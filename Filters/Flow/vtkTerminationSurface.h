@@ -61,6 +61,11 @@ public:
    */
   virtual std::string PlaceIn(vtkDataSet* field, vtkDataArray* vectors, bool isBackward);
 
+  /// Returns whether PlaceIn reads vectors. Where it does not, and processes hold the field in
+  /// parts, its field is the whole without arrays, and \a vectors are those of a part. Default
+  /// false.
+  virtual bool IsPlacedByVectors() const { return false; }
+
   /**
    * Prepares the data that the Evaluate functions need. Returns what is wrong with the surface
    * ("the radius is not above 0"), or nothing.

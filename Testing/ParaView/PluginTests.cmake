@@ -20,6 +20,7 @@ find_path(INTERLUME_PARAVIEW_PYTHON paraview/servermanager.py REQUIRED
     "${ParaView_PREFIX_PATH}/lib/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/site-packages")
 get_filename_component(paraview_libraries "${ParaView_DIR}/../.." ABSOLUTE)
 
+include("${CMAKE_CURRENT_LIST_DIR}/../MPIEnvironment.cmake")
 set(plugin_environment
   "INTERLUME_PLUGIN=$<TARGET_FILE:Interlume>"
   "INTERLUME_EXTRACTIONS=${INTERLUME_EXTRACTIONS}"
@@ -28,11 +29,7 @@ set(plugin_environment
   "PYTHONPATH=${INTERLUME_PARAVIEW_PYTHON}:${CMAKE_CURRENT_SOURCE_DIR}"
   "PYTHONDONTWRITEBYTECODE=1"
   "LD_LIBRARY_PATH=${paraview_libraries}"
-  # Ranks share the cores, and containers may forbid reading another process's memory.
-  "OMPI_MCA_rmaps_base_oversubscribe=1"
-  "OMPI_MCA_btl_vader_single_copy_mechanism=none"
-  "OMPI_ALLOW_RUN_AS_ROOT=1"
-  "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
+  ${interlume_mpi_environment})
 set(pieces_file "${CMAKE_CURRENT_BINARY_DIR}/pieces.npz")
 set(piece_shadows_file "${CMAKE_CURRENT_BINARY_DIR}/piece_shadows.npz")
 set(flow_pieces_file "${CMAKE_CURRENT_BINARY_DIR}/flow_pieces.npz")

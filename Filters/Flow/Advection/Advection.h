@@ -4,6 +4,7 @@
 
 #include "Advection/AdvectionOptions.h"
 #include "Advection/AdvectionRate.h"
+#include "Advection/AdvectionState.h"
 #include "Advection/DormandPrinceStep.h"
 #include "Advection/PathIntegrals.h"
 #include "Advection/RecurrenceTest.h"
@@ -90,6 +91,61 @@ public:
   }
   bool GoStep() { return this->Enter() && this->TakeStep(); }
   void Finish() { this->End(); }
+  ///@}
+
+  ///@{
+  /// Start and GoStep return false too where another process has to go on, in a cell that is not
+  /// here. Finish is not called then; the other process resumes the streamline from its state, as
+  /// Start begins one.
+  bool IsElsewhere() const { return this->Elsewhere; }
+  void Save(AdvectionState& state) const
+  {
+    AdvectionState::Fixed& values = state.Values;
+    values.Result = *this->Result;
+    values.Cell = this->Field.GetCell();
+    std::copy_n(this->Point, 3, values.Point);
+    values.IsAtStart = this->IsAtStart;
+    values.Size = this->Size;
+    values.Time = this->Time;
+    values.Step = this->Step;
+    values.CellBefore = this->CellBefore;
+    values.Crossings = this->Crossings;
+    values.Evaluations = this->Rate.Evaluations;
+    values.JacobianEvaluations = this->Rate.JacobianEvaluations;
+    values.Controller = this->Controller;
+    values.Stiffness = this->Stiffness;
+    values.Stagnation = this->Stagnation;
+    values.Recurrence = this->Recurrence;
+    state.Numbers.clear();
+    this->Surfaces.Save(state.Numbers);
+    this->Integrals.Save(state.Numbers);
+  }
+  bool Resume(const AdvectionState& state, AdvectionResult& result)
+  {
+    this->Reset(result);
+    const AdvectionState::Fixed& values = state.Values;
+    static_cast<AdvectionEnd&>(result) = values.Result;
+    this->Field.GoTo(values.Cell);
+    std::copy_n(values.Point, 3, this->Point);
+    if (values.IsAtStart)
+    {
+      return this->BeginInCell(result.Position);
+    }
+    this->Size = values.Size;
+    this->Time = values.Time;
+    this->Step = values.Step;
+    this->CellBefore = values.CellBefore;
+    this->Crossings = values.Crossings;
+    this->Rate.Evaluations = values.Evaluations;
+    this->Rate.JacobianEvaluations = values.JacobianEvaluations;
+    this->Controller = values.Controller;
+    this->Stiffness = values.Stiffness;
+    this->Stagnation = values.Stagnation;
+    this->Recurrence = values.Recurrence;
+    this->Integrals.Restore(this->Surfaces.Restore(state.Numbers.data()));
+    this->IsAtStart = false;
+    return this->Field.IsFinite() || this->EndWith(vtkFlowStatus::NOT_FINITE);
+  }
   ///@}
 
   ///@{
@@ -214,6 +270,15 @@ private:
     this->CellBefore = -1;
     this->ClosedFace = -1;
     this->FaceLeft = -1;
+    this->IsAtStart = true;
+    this->Elsewhere = false;
+  }
+
+  /// Leaves the streamline to the process that has the cell.
+  bool GoElsewhere()
+  {
+    this->Elsewhere = true;
+    return false;
   }
 
   /// Begins a streamline. Returns false where it ends at its start.
@@ -224,6 +289,12 @@ private:
     {
       return this->EndWith(vtkFlowStatus::OUTSIDE);
     }
+    return this->Field.IsHere() ? this->BeginInCell(x) : this->GoElsewhere();
+  }
+
+  bool BeginInCell(const double x[3])
+  {
+    this->IsAtStart = false;
     this->Result->Cells = 1;
     this->Integrals.Begin();
     this->Stagnation.Begin(x);
@@ -385,6 +456,10 @@ private:
       }
       closed = 0;
       way = -1;
+      if (!this->Field.IsHere())
+      {
+        return this->GoElsewhere();
+      }
       if (!this->Field.IsFinite())
       {
         return this->EndWith(vtkFlowStatus::NOT_FINITE);
@@ -414,11 +489,7 @@ private:
     return true;
   }
 
-  int GetNumberOfSteps() const
-  {
-    const AdvectionResult& result = *this->Result;
-    return result.Steps + result.RejectedSteps + result.StiffSteps + result.RejectedStiffSteps;
-  }
+  int GetNumberOfSteps() const { return this->Result->GetNumberOfSteps(); }
 
   void LookForReturn(vtkIdType from)
   {
@@ -742,6 +813,10 @@ private:
       this->ClosedFace = face;
       return true;
     }
+    if (!this->Field.IsHere())
+    {
+      return this->GoElsewhere();
+    }
     return this->Field.IsFinite() || this->EndWith(vtkFlowStatus::NOT_FINITE);
   }
 
@@ -791,6 +866,10 @@ private:
   int FaceLeft = -1;
   bool HasPointRate = false;
   bool HasIntegrals;
+  /// Whether nothing is known but the cell of the start.
+  bool IsAtStart = true;
+  /// Whether another process has to go on.
+  bool Elsewhere = false;
 };
 
 }

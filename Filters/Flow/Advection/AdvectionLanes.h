@@ -47,6 +47,29 @@ public:
   template <typename Begin, typename End>
   void Follow(Begin&& begin, End&& end)
   {
+    double starts[Lanes::Number][3];
+    this->FollowEach(
+      [&](int lane, Advection<Walker>& advection, AdvectionResult& result, bool& goesOn)
+      {
+        const vtkIdType id = begin(starts[lane]);
+        goesOn = id >= 0 && advection.Start(starts[lane], result);
+        return id;
+      },
+      [&](vtkIdType id, int lane, Advection<Walker>& advection, const AdvectionResult& result)
+      {
+        advection.Finish();
+        end(id, starts[lane], result);
+      });
+  }
+
+  /**
+   * Follows streamlines that begin(lane, advection, result, goesOn) puts into an advection, by
+   * Start or Resume, and returns ids of as Follow has it. end(id, lane, advection, result) is
+   * called where an advection does not go on, and has to finish it.
+   */
+  template <typename Begin, typename End>
+  void FollowEach(Begin&& begin, End&& end)
+  {
     unsigned int lanes = 0;
     for (int lane = 0; lane < Lanes::Number; ++lane)
     {
@@ -80,12 +103,13 @@ private:
   {
     while (true)
     {
-      this->Ids[lane] = begin(this->Starts[lane]);
+      bool goesOn = false;
+      this->Ids[lane] = begin(lane, *this->Advections[lane], this->Results[lane], goesOn);
       if (this->Ids[lane] < 0)
       {
         return false;
       }
-      if (!this->Advections[lane]->Start(this->Starts[lane], this->Results[lane]))
+      if (!goesOn)
       {
         this->Finish(lane, end);
       }
@@ -114,15 +138,13 @@ private:
   template <typename End>
   void Finish(int lane, End& end)
   {
-    this->Advections[lane]->Finish();
-    end(this->Ids[lane], this->Starts[lane], this->Results[lane]);
+    end(this->Ids[lane], lane, *this->Advections[lane], this->Results[lane]);
   }
 
   Steps Group;
   Function Take;
   std::unique_ptr<Advection<Walker>> Advections[Lanes::Number];
   AdvectionResult Results[Lanes::Number];
-  double Starts[Lanes::Number][3];
   vtkIdType Ids[Lanes::Number];
 };
 

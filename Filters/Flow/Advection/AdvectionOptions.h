@@ -46,10 +46,10 @@ struct AdvectionOptions : vtkFlowSettings
 };
 
 /**
- * @class   AdvectionResult
- * @brief   how one streamline ended
+ * @class   AdvectionEnd
+ * @brief   how one streamline ended, but for means
  */
-struct AdvectionResult
+struct AdvectionEnd
 {
   int Status = vtkFlowStatus::OUTSIDE;
   int Id = -1;
@@ -59,7 +59,6 @@ struct AdvectionResult
   double MaximumSpeed = 0.0;
   double ArcLength = 0.0;
   double MeanVorticity = 0.0;
-  std::vector<double> Means;
   int Steps = 0;
   int RejectedSteps = 0;
   int StiffSteps = 0;
@@ -73,6 +72,21 @@ struct AdvectionResult
   /// end of the field.
   double Nearness = 0.0;
   int Cells = 0;
+
+  /// Returns the number of all steps, rejected ones too.
+  int GetNumberOfSteps() const
+  {
+    return this->Steps + this->RejectedSteps + this->StiffSteps + this->RejectedStiffSteps;
+  }
+};
+
+/**
+ * @class   AdvectionResult
+ * @brief   how one streamline ended
+ */
+struct AdvectionResult : AdvectionEnd
+{
+  std::vector<double> Means;
 };
 
 }

@@ -45,6 +45,23 @@ public:
     std::fill(this->Sums.begin(), this->Sums.end(), 0.0);
   }
 
+  ///@{
+  /// Appends the sums to \a numbers, and takes them from there.
+  void Save(std::vector<double>& numbers) const
+  {
+    numbers.insert(numbers.end(), { this->Time, this->Length, this->Speed, this->Vorticity });
+    numbers.insert(numbers.end(), this->Sums.begin(), this->Sums.end());
+  }
+  void Restore(const double* numbers)
+  {
+    for (double* number : { &this->Time, &this->Length, &this->Speed, &this->Vorticity })
+    {
+      *number = *numbers++;
+    }
+    std::copy_n(numbers, this->Sums.size(), this->Sums.begin());
+  }
+  ///@}
+
   /// Adds a step from theta = 0 to \a end; \a h is its time from theta = 0 to 1.
   void Add(const Walker& field, const DenseOutput& dense, double end, double h)
   {

@@ -200,6 +200,34 @@ public:
     return state.Clearance > way;
   }
 
+  ///@{
+  /// Appends what is known of the streamline to \a numbers, and takes it from there.
+  void Save(std::vector<double>& numbers) const
+  {
+    numbers.push_back(this->Size);
+    numbers.push_back(this->Evaluations);
+    for (const State& state : this->States)
+    {
+      numbers.insert(numbers.end(),
+        { state.Distance, state.Clearance, static_cast<double>(state.Side),
+          state.IsFresh ? 1.0 : 0.0 });
+    }
+  }
+  const double* Restore(const double* numbers)
+  {
+    this->Size = *numbers++;
+    this->Evaluations = static_cast<int>(*numbers++);
+    for (State& state : this->States)
+    {
+      state.Distance = *numbers++;
+      state.Clearance = *numbers++;
+      state.Side = static_cast<int>(*numbers++);
+      state.IsFresh = *numbers++ != 0.0;
+    }
+    return numbers;
+  }
+  ///@}
+
   bool IsEmpty() const { return this->States.empty(); }
   int GetNumberOfEvaluations() const { return this->Evaluations; }
 

@@ -23,6 +23,8 @@ namespace interlume
  * there, inside but for rounding; false outside of the field, the walker then stands nowhere. A
  * point on a face is in either cell, always in the same one.
  * - `vtkIdType GetCell() const`: the cell's id.
+ * - `bool IsHere() const`: whether streamlines may go on in the cell; false where another process
+ * has to follow them there.
  * - `bool IsFinite() const`: whether all vectors of the cell are finite.
  * - `void GetVelocity(const double p[3], double rate[3]) const`: dp/dt for dx/dt = v (the walker
  * knows no direction). Where dx/dp has no inverse, as on a collapsed edge, the coordinates that
@@ -70,6 +72,7 @@ struct CellWalker
 {
   static constexpr bool FacesAreAffine = true;
 
+  static constexpr bool IsHere() { return true; }
   bool IsAffine() const { return true; }
   double GetLongestWorldVector(const double*) const { return 0.0; }
   bool IsBox() const { return false; }

@@ -4,7 +4,6 @@
 #include "Common/ArrayCheck.h"
 #include "Common/Blanking.h"
 #include "Common/Vectors.h"
-#include "Fields/SpeedScale.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -26,12 +25,6 @@ std::string FindError(vtkDataSet* data, vtkDataArray* array, const char* what, i
   return array ? ArrayCheck::FindPointFault(data, array, components)
                : std::string("there is no array of ") + what;
 }
-
-struct Sums
-{
-  interlume::SpeedScale Speeds;
-  vtkIdType NonFinite = 0;
-};
 
 }
 
@@ -96,6 +89,12 @@ void FlowField::ExcludeFlat(vtkIdType cell)
 
 void FlowField::Measure(const CellPoints& cells, bool hasOtherPoints)
 {
+  this->SetSpeeds(this->CountSpeeds(cells, hasOtherPoints));
+}
+
+SpeedCount FlowField::CountSpeeds(const CellPoints& cells, bool hasOtherPoints,
+  const std::function<bool(vtkIdType)>& isCounted) const
+{
   // Points that do not count may have any vectors.
   const bool isPart = hasOtherPoints || !this->Excluded.empty();
   std::vector<std::atomic<bool>> isUsed(isPart ? this->Vectors.GetNumber() : 0);
@@ -115,14 +114,15 @@ void FlowField::Measure(const CellPoints& cells, bool hasOtherPoints)
         }
       });
   }
-  vtkSMPThreadLocal<Sums> sums;
+  vtkSMPThreadLocal<SpeedCount> sums;
   vtkSMPTools::For(0, this->Vectors.GetNumber(),
     [&](vtkIdType first, vtkIdType last)
     {
-      Sums& sum = sums.Local();
+      SpeedCount& sum = sums.Local();
       for (vtkIdType point = first; point < last; ++point)
       {
-        if (isPart && !isUsed[point].load(std::memory_order_relaxed))
+        if ((isPart && !isUsed[point].load(std::memory_order_relaxed)) ||
+          (isCounted && !isCounted(point)))
         {
           continue;
         }
@@ -138,15 +138,20 @@ void FlowField::Measure(const CellPoints& cells, bool hasOtherPoints)
         }
       }
     });
-  Sums all;
-  for (const Sums& sum : sums)
+  SpeedCount all;
+  for (const SpeedCount& sum : sums)
   {
     all.Speeds.Add(sum.Speeds);
     all.NonFinite += sum.NonFinite;
   }
-  this->MaximumSpeed = all.Speeds.GetLargest();
-  this->SpeedScale = all.Speeds.GetScale(this->NumberOfFillValues);
-  this->NumberOfNonFiniteVectors = all.NonFinite;
+  return all;
+}
+
+void FlowField::SetSpeeds(const SpeedCount& count)
+{
+  this->MaximumSpeed = count.Speeds.GetLargest();
+  this->SpeedScale = count.Speeds.GetScale(this->NumberOfFillValues);
+  this->NumberOfNonFiniteVectors = count.NonFinite;
 }
 
 }

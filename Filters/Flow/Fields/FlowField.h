@@ -4,6 +4,7 @@
 
 #include "Common/StageProgress.h"
 #include "Common/ArrayRows.h"
+#include "Fields/SpeedScale.h"
 
 #include "vtkType.h"
 
@@ -45,7 +46,7 @@ public:
 
   bool IsCellIncluded(vtkIdType cell) const
   {
-    return this->Excluded.empty() || !this->Excluded[cell];
+    return !this->HasExcludedCells() || !this->Excluded[cell];
   }
 
   void GetVector(vtkIdType point, double vector[3]) const { this->Vectors.Get<3>(point, vector); }
@@ -86,6 +87,8 @@ protected:
   FlowField() = default;
   ~FlowField() = default;
 
+  bool HasExcludedCells() const { return !this->Excluded.empty(); }
+
   /// A function that gives the points of a cell, at most eight, and returns how many.
   using CellPoints = std::function<int(vtkIdType cell, vtkIdType* points)>;
 
@@ -99,6 +102,12 @@ protected:
   /// Finds the largest speed and the vectors that are not finite. \a hasOtherPoints tells whether
   /// there are points that no cell of the field has.
   void Measure(const CellPoints& cells, bool hasOtherPoints);
+  /// Counts the speeds in those points of the field's cells that \a isCounted is true of.
+  SpeedCount CountSpeeds(const CellPoints& cells, bool hasOtherPoints,
+    const std::function<bool(vtkIdType)>& isCounted = {}) const;
+  void SetSpeeds(const SpeedCount& count);
+  /// Replaces the bounds by those of a whole that the dataset is a part of.
+  void SetBounds(const double bounds[6]) { std::copy_n(bounds, 6, this->Bounds); }
 
 private:
   FlowField(const FlowField&) = delete;

@@ -11,17 +11,18 @@ namespace interlume
 {
 
 std::string ImageFlowField::Build(vtkImageData* image, vtkDataArray* vectors,
-  const std::vector<vtkDataArray*>& arrays, const StageProgress& progress)
+  const std::vector<vtkDataArray*>& arrays, const StageProgress& progress, const FieldPart* part)
 {
   int points[3];
   image->GetDimensions(points);
-  std::string error = this->BuildIndices(image, points, vectors, arrays, progress);
+  std::string error = this->BuildIndices(image, points, vectors, arrays, progress, part);
   if (!error.empty())
   {
     return error;
   }
-  vtkMatrix4x4* matrix = image->GetIndexToPhysicalMatrix();
-  const int* extent = image->GetExtent();
+  vtkImageData* whole = part ? vtkImageData::SafeDownCast(part->Whole) : image;
+  vtkMatrix4x4* matrix = whole->GetIndexToPhysicalMatrix();
+  const int* extent = whole->GetExtent();
   double columns[3][3];
   for (int i = 0; i < 3; ++i)
   {
@@ -59,16 +60,28 @@ std::string ImageFlowField::Build(vtkImageData* image, vtkDataArray* vectors,
   return {};
 }
 
-bool ImageFlowField::Locate(const double x[3], Place& place, double p[3]) const
+void ImageFlowField::GetIndexPosition(const double x[3], double q[3]) const
 {
   const double d[3] = { x[0] - this->Origin[0], x[1] - this->Origin[1], x[2] - this->Origin[2] };
-  double q[3];
   for (int i = 0; i < 3; ++i)
   {
     const double* row = this->Inverse[i];
     q[i] = row[0] * d[0] + row[1] * d[1] + row[2] * d[2];
   }
+}
+
+bool ImageFlowField::Locate(const double x[3], Place& place, double p[3]) const
+{
+  double q[3];
+  this->GetIndexPosition(x, q);
   return this->Find(q, this->Slack, place, p);
+}
+
+bool ImageFlowField::LocateIndex(const double x[3], int index[3], double p[3]) const
+{
+  double q[3];
+  this->GetIndexPosition(x, q);
+  return this->FindIndex(q, this->Slack, index, p);
 }
 
 }

@@ -25,9 +25,12 @@ public:
   ImageFlowField() = default;
 
   std::string Build(vtkImageData* image, vtkDataArray* vectors,
-    const std::vector<vtkDataArray*>& arrays = {}, const StageProgress& progress = {});
+    const std::vector<vtkDataArray*>& arrays = {}, const StageProgress& progress = {},
+    const FieldPart* part = nullptr);
 
   bool Locate(const double x[3], Place& place, double p[3]) const;
+  /// Finds the cell that \a x is in, part of the field or not, and the place there.
+  bool LocateIndex(const double x[3], int index[3], double p[3]) const;
 
   void GetPosition(const Place& place, const double p[3], double x[3]) const
   {
@@ -44,6 +47,9 @@ public:
   void GetInverse(const Place&, double inverse[9]) const { Copy(this->Inverse, inverse); }
 
 private:
+  /// Computes the place in cells along each axis.
+  void GetIndexPosition(const double x[3], double q[3]) const;
+
   static void Copy(const double from[3][3], double to[9])
   {
     for (int i = 0; i < 9; ++i)

@@ -7,9 +7,11 @@ namespace interlume
 {
 
 std::string IndexedFlowField::BuildIndices(vtkDataSet* data, const int points[3],
-  vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays, const StageProgress& progress)
+  vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays, const StageProgress& progress,
+  const FieldPart* part)
 {
-  if (points[0] < 2 || points[1] < 2 || points[2] < 2)
+  const bool isEmpty = part && !FieldPart::HasCells(part->Own);
+  if (!isEmpty && (points[0] < 2 || points[1] < 2 || points[2] < 2))
   {
     return GetErrorWithoutCells();
   }
@@ -21,14 +23,23 @@ std::string IndexedFlowField::BuildIndices(vtkDataSet* data, const int points[3]
   {
     return error;
   }
+  this->FirstPoint = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    this->Cells[axis] = points[axis] - 1;
+    this->HeldCells[axis] = points[axis] - 1;
+    this->Cells[axis] =
+      part ? part->WholeExtent[2 * axis + 1] - part->WholeExtent[2 * axis] : this->HeldCells[axis];
+    this->HeldFirst[axis] = part ? part->Held[2 * axis] - part->WholeExtent[2 * axis] : 0;
     if (axis > 0)
     {
       this->CellStrides[axis] = this->CellStrides[axis - 1] * this->Cells[axis - 1];
       this->PointStrides[axis] = this->PointStrides[axis - 1] * points[axis - 1];
     }
+    this->FirstPoint -= this->HeldFirst[axis] * this->PointStrides[axis];
+  }
+  if (part)
+  {
+    this->SetBounds(part->Whole->GetBounds());
   }
   for (int corner = 0; corner < 8; ++corner)
   {
@@ -49,26 +60,54 @@ std::string IndexedFlowField::BuildIndices(vtkDataSet* data, const int points[3]
     }
   }
   const auto getPoints = [this](vtkIdType cell, vtkIdType* ids)
-  {
-    const Place place = this->GetPlace(cell);
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      ids[corner] = this->GetCorner(place, corner);
-    }
-    return 8;
-  };
+  { return this->GetHeldPoints(cell, ids); };
   this->SetBlanking(data, getPoints);
-  if (progress.Reach(0.5))
+  if (progress.Reach(0.5) && !part)
   {
     this->Measure(getPoints, false);
   }
   return {};
 }
 
-bool IndexedFlowField::Find(
-  const double q[3], const double slack[3], Place& place, double p[3]) const
+vtkIdType IndexedFlowField::GetHeldCell(const Place& place) const
 {
-  int index[3];
+  const vtkIdType i = place.Index[0] - this->HeldFirst[0];
+  const vtkIdType j = place.Index[1] - this->HeldFirst[1];
+  const vtkIdType k = place.Index[2] - this->HeldFirst[2];
+  return i + this->HeldCells[0] * (j + this->HeldCells[1] * k);
+}
+
+int IndexedFlowField::GetHeldPoints(vtkIdType cell, vtkIdType* points) const
+{
+  const vtkIdType row = cell / this->HeldCells[0];
+  const vtkIdType first = cell % this->HeldCells[0] +
+    row % this->HeldCells[1] * this->PointStrides[1] +
+    row / this->HeldCells[1] * this->PointStrides[2];
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    points[corner] = first + this->CornerOffsets[corner];
+  }
+  return 8;
+}
+
+SpeedCount IndexedFlowField::CountHeldSpeeds(
+  const std::function<bool(const int index[3])>& isCounted) const
+{
+  return this->CountSpeeds(
+    [this](vtkIdType cell, vtkIdType* points) { return this->GetHeldPoints(cell, points); }, false,
+    [this, &isCounted](vtkIdType point)
+    {
+      const vtkIdType layer = point % this->PointStrides[2];
+      const int index[3] = { this->HeldFirst[0] + static_cast<int>(layer % this->PointStrides[1]),
+        this->HeldFirst[1] + static_cast<int>(layer / this->PointStrides[1]),
+        this->HeldFirst[2] + static_cast<int>(point / this->PointStrides[2]) };
+      return isCounted(index);
+    });
+}
+
+bool IndexedFlowField::FindIndex(
+  const double q[3], const double slack[3], int index[3], double p[3]) const
+{
   for (int axis = 0; axis < 3; ++axis)
   {
     if (!(q[axis] >= -slack[axis] && q[axis] <= this->Cells[axis] + slack[axis]))
@@ -78,6 +117,17 @@ bool IndexedFlowField::Find(
     const double inside = std::min(std::max(q[axis], 0.0), static_cast<double>(this->Cells[axis]));
     index[axis] = std::min(static_cast<int>(inside), this->Cells[axis] - 1);
     p[axis] = inside - index[axis];
+  }
+  return true;
+}
+
+bool IndexedFlowField::Find(
+  const double q[3], const double slack[3], Place& place, double p[3]) const
+{
+  int index[3];
+  if (!this->FindIndex(q, slack, index, p))
+  {
+    return false;
   }
   place = this->GetPlace(index);
   return this->IsCellIncluded(place.Cell) || this->Settle(slack, place, p);

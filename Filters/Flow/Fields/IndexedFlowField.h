@@ -3,6 +3,7 @@
 #define interlume_IndexedFlowField_h
 
 #include "Cells/Trilinear.h"
+#include "Fields/FieldPart.h"
 #include "Fields/FlowField.h"
 
 #include <algorithm>
@@ -16,6 +17,9 @@ namespace interlume
  *
  * p of a cell is in [0,1]^3 along i, j and k. Faces 0 to 5 are -i, +i, -j, +j, -k, +k. Indices
  * count from 0, whatever the extent.
+ *
+ * Where a part of the grid is held, cells and indices are those of the whole, points those of the
+ * part, and only cells that are held may be asked for.
  */
 class IndexedFlowField : public FlowField
 {
@@ -28,9 +32,15 @@ public:
     int Index[3] = { 0, 0, 0 };
   };
 
+  bool IsCellIncluded(vtkIdType cell) const
+  {
+    return !this->HasExcludedCells() || FlowField::IsCellIncluded(this->GetHeldCell(cell));
+  }
+
   Place GetPlace(const int index[3]) const
   {
     Place place;
+    place.Point = this->FirstPoint;
     for (int axis = 0; axis < 3; ++axis)
     {
       place.Index[axis] = index[axis];
@@ -55,6 +65,12 @@ public:
     return place.Index[axis] == (face & 1 ? this->Cells[axis] - 1 : 0);
   }
 
+  /// Returns whether streamlines may go on in a cell.
+  static constexpr bool IsHere(const Place&) { return true; }
+
+  /// Goes to the cell beyond a face, if streamlines may go on there, as Step does.
+  bool StepHere(Place& place, int face) const { return this->Step(place, face); }
+
   /// Goes to the cell beyond a face. Returns false, and changes nothing, where no cell there is
   /// part of the field.
   bool Step(Place& place, int face) const
@@ -75,6 +91,13 @@ public:
     place.Index[axis] += way;
     return true;
   }
+
+  /**
+   * Finds the cell that \a q, in cells along each axis, is in, part of the field or not, and the
+   * place there. A place up to \a slack beyond the grid's faces counts as on them. Returns false
+   * beyond that.
+   */
+  bool FindIndex(const double q[3], const double slack[3], int index[3], double p[3]) const;
 
   /// Prefetches the vectors that the neighbour has and the cell has not.
   void Prefetch(const Place& place, int face) const
@@ -127,13 +150,14 @@ protected:
   /// Takes the numbers of points, the arrays and the blanking, all but the geometry. Returns an
   /// error or nothing.
   std::string BuildIndices(vtkDataSet* data, const int points[3], vtkDataArray* vectors,
-    const std::vector<vtkDataArray*>& arrays, const StageProgress& progress);
+    const std::vector<vtkDataArray*>& arrays, const StageProgress& progress,
+    const FieldPart* part = nullptr);
 
-  /**
-   * Finds the cell that \a q, in cells along each axis, is in, and the place there. A place up to
-   * \a slack beyond the grid's faces counts as on them. Where the cell is not part of the field,
-   * one that is and that shares the place is taken.
-   */
+  /// Counts the speeds in those points of the cells that \a isCounted is true of, by index.
+  SpeedCount CountHeldSpeeds(const std::function<bool(const int index[3])>& isCounted) const;
+
+  /// Finds the cell as FindIndex does. Where it is not part of the field, one that is and that
+  /// shares the place is taken.
   bool Find(const double q[3], const double slack[3], Place& place, double p[3]) const;
 
   /// Calls visit(point) for those corners of a face's neighbour that are not on the face.
@@ -154,8 +178,27 @@ protected:
   vtkIdType PointStrides[3] = { 1, 0, 0 };
 
 private:
+  bool IsPart() const
+  {
+    return this->FirstPoint != 0 || this->Cells[0] != this->HeldCells[0] ||
+      this->Cells[1] != this->HeldCells[1] || this->Cells[2] != this->HeldCells[2];
+  }
+  /// Returns the number of a cell among those that are held, which are the rows of the dataset.
+  vtkIdType GetHeldCell(vtkIdType cell) const
+  {
+    return this->IsPart() ? this->GetHeldCell(this->GetPlace(cell)) : cell;
+  }
+  vtkIdType GetHeldCell(const Place& place) const;
+  /// Gives the points of a cell by its number among those that are held.
+  int GetHeldPoints(vtkIdType cell, vtkIdType* points) const;
+
   bool Settle(const double slack[3], Place& place, double p[3]) const;
 
+  // The index of the first point that is held, the number of cells that are, and where the first
+  // point of the whole grid would be among the points.
+  int HeldFirst[3] = { 0, 0, 0 };
+  int HeldCells[3] = { 0, 0, 0 };
+  vtkIdType FirstPoint = 0;
   vtkIdType CornerOffsets[8] = { 0, 0, 0, 0, 0, 0, 0, 0 };
   /// Those of the corners that the neighbour beyond a face has and the cell has not.
   vtkIdType OffsetsBeyond[6][4] = {};

@@ -73,10 +73,10 @@ public:
     this->Shared->Prefetch(this->Stands[lane], face);
   }
 
-  /// Goes to the cell beyond a face as Stand does. Returns false where there is none.
+  /// Goes to the cell beyond a face as Stand does. Returns false where there is none to go on in.
   [[gnu::always_inline]] bool Step(int lane, int face)
   {
-    return this->Shared->Step(this->Stands[lane], face);
+    return this->Shared->StepHere(this->Stands[lane], face);
   }
 
   /// Computes the velocities and frames of all cells. Returns the lanes whose vectors are finite.

@@ -36,6 +36,13 @@ public:
   const typename Field::Place& GetPlace() const { return this->Stand; }
   /// Returns dp/dt in the cell.
   const Trilinear& GetRate() const { return this->Rate; }
+  bool IsHere() const { return this->Shared->IsHere(this->Stand); }
+  /// Stands in a cell of the field, wherever it stood before.
+  void GoTo(vtkIdType cell)
+  {
+    this->Stand = this->Shared->GetPlace(cell);
+    this->Enter();
+  }
   /// Stands in a cell of the field.
   void StandIn(const typename Field::Place& place)
   {

@@ -11,17 +11,19 @@ namespace interlume
 {
 
 std::string RectilinearFlowField::Build(vtkRectilinearGrid* grid, vtkDataArray* vectors,
-  const std::vector<vtkDataArray*>& arrays, const StageProgress& progress)
+  const std::vector<vtkDataArray*>& arrays, const StageProgress& progress, const FieldPart* part)
 {
   int points[3];
   grid->GetDimensions(points);
-  std::string error = this->BuildIndices(grid, points, vectors, arrays, progress);
+  std::string error = this->BuildIndices(grid, points, vectors, arrays, progress, part);
   if (!error.empty())
   {
     return error;
   }
-  vtkDataArray* const coordinates[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
-    grid->GetZCoordinates() };
+  vtkRectilinearGrid* whole = part ? vtkRectilinearGrid::SafeDownCast(part->Whole) : grid;
+  whole->GetDimensions(points);
+  vtkDataArray* const coordinates[3] = { whole->GetXCoordinates(), whole->GetYCoordinates(),
+    whole->GetZCoordinates() };
   for (int axis = 0; axis < 3; ++axis)
   {
     if (!coordinates[axis] || coordinates[axis]->GetNumberOfTuples() < points[axis])
@@ -45,10 +47,8 @@ std::string RectilinearFlowField::Build(vtkRectilinearGrid* grid, vtkDataArray* 
   return {};
 }
 
-bool RectilinearFlowField::Locate(const double x[3], Place& place, double p[3]) const
+void RectilinearFlowField::GetIndexPosition(const double x[3], double q[3], double slack[3]) const
 {
-  double q[3];
-  double slack[3];
   for (int axis = 0; axis < 3; ++axis)
   {
     const std::vector<double>& values = this->Coordinates[axis];
@@ -59,7 +59,22 @@ bool RectilinearFlowField::Locate(const double x[3], Place& place, double p[3]) 
     q[axis] = static_cast<double>(next - 1 - values.begin()) + (x[axis] - *(next - 1)) / width;
     slack[axis] = 1e-12 + 8.0 * DBL_EPSILON * this->Magnitude[axis] / std::abs(width);
   }
+}
+
+bool RectilinearFlowField::Locate(const double x[3], Place& place, double p[3]) const
+{
+  double q[3];
+  double slack[3];
+  this->GetIndexPosition(x, q, slack);
   return this->Find(q, slack, place, p);
+}
+
+bool RectilinearFlowField::LocateIndex(const double x[3], int index[3], double p[3]) const
+{
+  double q[3];
+  double slack[3];
+  this->GetIndexPosition(x, q, slack);
+  return this->FindIndex(q, slack, index, p);
 }
 
 }

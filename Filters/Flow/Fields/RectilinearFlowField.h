@@ -24,9 +24,12 @@ public:
   RectilinearFlowField() = default;
 
   std::string Build(vtkRectilinearGrid* grid, vtkDataArray* vectors,
-    const std::vector<vtkDataArray*>& arrays = {}, const StageProgress& progress = {});
+    const std::vector<vtkDataArray*>& arrays = {}, const StageProgress& progress = {},
+    const FieldPart* part = nullptr);
 
   bool Locate(const double x[3], Place& place, double p[3]) const;
+  /// Finds the cell that \a x is in, part of the field or not, and the place there.
+  bool LocateIndex(const double x[3], int index[3], double p[3]) const;
 
   void GetPosition(const Place& place, const double p[3], double x[3]) const
   {
@@ -55,6 +58,9 @@ public:
   }
 
 private:
+  /// Computes the place in cells along each axis, and what counts as on the grid's faces.
+  void GetIndexPosition(const double x[3], double q[3], double slack[3]) const;
+
   const double* GetEnds(const Place& place, int axis) const
   {
     return this->Coordinates[axis].data() + place.Index[axis];

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace interlume
 {
@@ -40,6 +41,19 @@ public:
       this->Numbers[power] += other.Numbers[power];
       this->Largest[power] = std::max(this->Largest[power], other.Largest[power]);
     }
+  }
+
+  /// Adds the speeds of all processes: add and maximize replace the numbers of a vector by their
+  /// sums, and their largest, over processes.
+  template <typename AddAll, typename MaximizeAll>
+  void Unite(AddAll&& add, MaximizeAll&& maximize)
+  {
+    std::vector<vtkIdType> numbers(this->Numbers.begin(), this->Numbers.end());
+    std::vector<double> largest(this->Largest.begin(), this->Largest.end());
+    add(numbers);
+    maximize(largest);
+    std::copy(numbers.begin(), numbers.end(), this->Numbers.begin());
+    std::copy(largest.begin(), largest.end(), this->Largest.begin());
   }
 
   /// Returns the largest of all speeds; 0 without one.
@@ -88,6 +102,13 @@ private:
 
   std::array<vtkIdType, Powers> Numbers{};
   std::array<double, Powers> Largest{};
+};
+
+/// The speeds in the points of a field, and the number of vectors that are not finite.
+struct SpeedCount
+{
+  SpeedScale Speeds;
+  vtkIdType NonFinite = 0;
 };
 
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Samples/ImplicitFlowRun.h"
 
-#include "Advection/AdvectionLanes.h"
+#include "Advection/AdvectionOptions.h"
 #include "Common/ArrayCheck.h"
 #include "Fields/BoundaryPatches.h"
 #include "Fields/FieldDispatch.h"
@@ -11,12 +11,13 @@
 #include "Samples/BeyondTrace.h"
 #include "Samples/CellRefinement.h"
 #include "Samples/ImplicitFlowArrays.h"
-#include "Samples/LatticeSteps.h"
 #include "Samples/SampleOrder.h"
 #include "Samples/SamplingCheck.h"
-#include "Samples/SampleStreams.h"
 #include "Samples/SharedLattice.h"
 #include "Samples/TerminationSides.h"
+#include "Streams/LocalStreamlines.h"
+#include "Streams/RankField.h"
+#include "Streams/RankStreamlines.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDoubleArray.h"
@@ -48,34 +49,13 @@ namespace
 {
 constexpr double AutomaticError = 1e-6;
 constexpr double AutomaticSpeed = 1e-9;
+// The progress when all samples are followed, and what is beside them is not.
+constexpr double SamplesEnd = 0.98;
 
 int GetAutomaticSteps(vtkIdType cells)
 {
   constexpr double least = 2000.0;
   return static_cast<int>(std::max(least, 20.0 * std::cbrt(static_cast<double>(cells))));
-}
-
-/// Follows streamlines as AdvectionLanes does, where the walker has lanes.
-template <typename Walker, typename Begin, typename End>
-void FollowEach(const Walker& walker, const AdvectionOptions& options, Begin&& begin, End&& end)
-{
-  if constexpr (std::is_same_v<Walker, ImageWalker> || std::is_same_v<Walker, RectilinearWalker>)
-  {
-    using Group = AdvectionLanes<Walker, LatticeSteps::Four>;
-    Group advection(walker, options, LatticeSteps::Take);
-    advection.Follow(begin, end);
-  }
-  else
-  {
-    Advection<Walker> advection(walker, options);
-    AdvectionResult result;
-    double x[3];
-    for (vtkIdType id = begin(x); id >= 0; id = begin(x))
-    {
-      advection.Follow(x, result);
-      end(id, x, result);
-    }
-  }
 }
 
 template <typename Array>
@@ -197,8 +177,16 @@ ImplicitFlowRun::ImplicitFlowRun(
   : Owner(owner)
   , Options(options)
   , Field(field)
+  , Data(field)
   , Vectors(vectors)
 {
+}
+
+void ImplicitFlowRun::SetRanks(RankField* ranks)
+{
+  this->Ranks = ranks;
+  this->Field = ranks->GetWhole();
+  this->Data = ranks->GetData();
 }
 
 void ImplicitFlowRun::ReplaceAutomatic(double speed)
@@ -216,12 +204,12 @@ std::string ImplicitFlowRun::FindArrays(std::vector<vtkDataArray*>& means) const
 {
   for (const std::string& mean : this->Options.MeanArrays)
   {
-    const std::string wrong = ArrayCheck::FindPointFault(this->Field, "field", mean, 1);
+    const std::string wrong = ArrayCheck::FindPointFault(this->Data, "field", mean, 1);
     if (!wrong.empty())
     {
       return "There is no mean: " + wrong + ".";
     }
-    means.push_back(this->Field->GetPointData()->GetArray(mean.c_str()));
+    means.push_back(this->Data->GetPointData()->GetArray(mean.c_str()));
   }
   return {};
 }
@@ -229,25 +217,40 @@ std::string ImplicitFlowRun::FindArrays(std::vector<vtkDataArray*>& means) const
 std::string ImplicitFlowRun::Execute(vtkDataSet* samples)
 {
   std::vector<vtkDataArray*> means;
-  std::string error = this->FindArrays(means);
+  const bool isEmpty = this->Ranks && this->Ranks->IsEmpty();
+  std::string error = isEmpty ? std::string() : this->FindArrays(means);
+  error = this->Ranks ? this->Ranks->GetExchange().FindFirst(error) : error;
   if (!error.empty())
   {
     return error;
   }
-  for (std::size_t i = 0; i < means.size(); ++i)
+  for (std::size_t i = 0; i < this->Options.MeanArrays.size(); ++i)
   {
     this->Options.MeanNumbers.push_back(static_cast<int>(i));
   }
+  const auto count = [this](vtkDataArray* array)
+  { this->Report.FieldBytes += array->GetNumberOfValues() * array->GetDataTypeSize(); };
+  if (!isEmpty)
+  {
+    count(this->Vectors);
+    std::for_each(means.begin(), means.end(), count);
+  }
   Arrays arrays;
   arrays.Make(*this, samples);
-  error = FieldDispatch::Execute(
+  return this->Ranks ? this->ExecuteInRanks(means, samples) : this->ExecuteAlone(means, samples);
+}
+
+std::string ImplicitFlowRun::ExecuteAlone(
+  const std::vector<vtkDataArray*>& means, vtkDataSet* samples)
+{
+  return FieldDispatch::Execute(
     this->Field, this->Vectors, means,
     [&](const auto& walker)
     {
-      this->ReplaceAutomatic(walker.GetField().GetSpeedScale());
       auto own = walker;
       int domainFaces = 6;
       BoundaryPatches patches;
+      this->Describe(walker.GetField());
       if constexpr (std::is_same_v<decltype(own), UnstructuredWalker>)
       {
         this->Mesh = walker.GetField().GetMesh();
@@ -263,22 +266,43 @@ std::string ImplicitFlowRun::Execute(vtkDataSet* samples)
           domainFaces = patches.GetNumberOfPatches();
         }
       }
-      this->AddSurfaces(samples, this->Options.DomainFaces ? domainFaces : 0);
-      this->FollowAll(own, samples);
+      LocalStreamlines<decltype(own)> streamlines(own, this->Owner);
+      this->FollowAll(streamlines, samples, domainFaces);
     },
     StageProgress(this->Owner, 0.0, FieldDispatch::BuildingPart));
-  return error;
 }
 
-template <typename Walker>
-void ImplicitFlowRun::FollowAll(const Walker& walker, vtkDataSet* samples)
+std::string ImplicitFlowRun::ExecuteInRanks(
+  const std::vector<vtkDataArray*>& means, vtkDataSet* samples)
 {
-  this->Report = vtkFlowReport();
+  std::string error;
+  const std::unique_ptr<RankStreamlines> streamlines =
+    RankStreamlines::Make(*this->Ranks, this->Vectors, means, this->Owner, error);
+  if (!streamlines)
+  {
+    return error;
+  }
+  this->Describe(streamlines->GetField());
+  this->FollowAll(*streamlines, samples, 6);
+  RankExchange& exchange = this->Ranks->GetExchange();
+  std::vector<vtkIdType> steps(static_cast<std::size_t>(exchange.GetNumberOfRanks()), 0);
+  steps[static_cast<std::size_t>(exchange.GetRank())] = streamlines->GetNumberOfSteps();
+  exchange.Add(steps);
+  std::vector<vtkIdType> handedOn{ streamlines->GetNumberOfHandedOn() };
+  exchange.Add(handedOn);
+  this->Report.StepsOfRanks = steps;
+  this->Report.HandedOn = handedOn[0];
+  return {};
+}
+
+void ImplicitFlowRun::FollowAll(Streamlines& streamlines, vtkDataSet* samples, int domainFaces)
+{
+  this->ReplaceAutomatic(streamlines.GetField().GetSpeedScale());
+  this->AddSurfaces(samples, this->Options.DomainFaces ? domainFaces : 0);
   this->Report.MaximumError = this->Options.MaximumError;
   this->Report.MinimumSpeed = this->Options.MinimumSpeed;
-  this->Describe(walker.GetField());
   TerminationSides sides(this->Options);
-  bool goesOn = this->Follow(walker, samples, 0, 0, sides);
+  bool goesOn = this->Follow(streamlines, samples, 0, 0, sides);
   vtkSmartPointer<vtkUnstructuredGrid> grid;
   if (goesOn && this->Options.RefinementLevels > 0)
   {
@@ -286,23 +310,25 @@ void ImplicitFlowRun::FollowAll(const Walker& walker, vtkDataSet* samples)
   }
   for (int level = 1; goesOn && level <= this->Options.RefinementLevels; ++level)
   {
-    this->FindBeyond(walker, grid);
+    goesOn = this->FindBeyond(streamlines, grid);
+    if (!goesOn)
+    {
+      break;
+    }
     const vtkIdType before = grid->GetNumberOfPoints();
     const CellRefinement::Result refined = CellRefinement::Refine(grid);
     grid = refined.Grid;
     this->Report.RefinedCells.push_back(refined.MixedCells);
     this->Report.AddedSamples.push_back(grid->GetNumberOfPoints() - before);
-    goesOn = this->Follow(walker, grid, before, level, sides);
+    goesOn = this->Follow(streamlines, grid, before, level, sides);
   }
-  if (goesOn)
-  {
-    this->FindBeyond(walker, grid ? grid.GetPointer() : samples);
-  }
+  goesOn = goesOn && this->FindBeyond(streamlines, grid ? grid.GetPointer() : samples);
   if (goesOn && !grid && this->Options.SamplingChecks > 0)
   {
-    this->CheckSampling(walker, samples);
+    goesOn = this->CheckSampling(streamlines, samples);
   }
   this->Refined = goesOn ? grid : nullptr;
+  this->Aborted = !goesOn;
 }
 
 template <typename FieldType>
@@ -334,9 +360,8 @@ void ImplicitFlowRun::Describe(const FieldType& field)
   }
 }
 
-template <typename Walker>
-bool ImplicitFlowRun::Follow(
-  const Walker& walker, vtkDataSet* samples, vtkIdType first, int level, TerminationSides& sides)
+bool ImplicitFlowRun::Follow(Streamlines& streamlines, vtkDataSet* samples, vtkIdType first,
+  int level, TerminationSides& sides)
 {
   Arrays arrays;
   arrays.Find(*this, samples);
@@ -350,7 +375,7 @@ bool ImplicitFlowRun::Follow(
   }
   sides.SetNumberOfSamples(number);
   constexpr double start = FieldDispatch::BuildingPart;
-  const double part = (1.0 - start) / (this->Options.RefinementLevels + 1.0);
+  const double part = (SamplesEnd - start) / (this->Options.RefinementLevels + 1.0);
   const auto take = [&](vtkIdType id, const double x[3], const AdvectionResult& result)
   {
     arrays.Set(id, result);
@@ -367,29 +392,23 @@ bool ImplicitFlowRun::Follow(
   {
     const double before = getProgress();
     done += order.GetNumber();
-    return SampleStreams::Run(order.GetNumber(), this->Owner, before, getProgress(),
-      [&](auto&& next)
+    this->Progress = getProgress();
+    return streamlines.Follow(
+      this->Options, order.GetNumber(),
+      [&](vtkIdType i, double x[3]) { samples->GetPoint(order[i], x); },
+      [&](vtkIdType i, const AdvectionResult& result)
       {
-        FollowEach(
-          walker, this->Options,
-          [&](double x[3])
-          {
-            const vtkIdType i = next();
-            const vtkIdType id = i < 0 ? i : order[i];
-            if (id >= 0)
-            {
-              samples->GetPoint(id, x);
-            }
-            return id;
-          },
-          take);
-      });
+        double x[3];
+        samples->GetPoint(order[i], x);
+        take(order[i], x, result);
+      },
+      before, this->Progress);
   };
   int dimensions[3];
   const bool isShared = this->Options.ShareStreamlines && level == 0 && !this->HasExtras() &&
     SharedLattice::GetDimensions(samples, dimensions);
   const bool isDone = isShared ? this->FollowShared(dimensions, samples, arrays,
-                                   walker.GetField().GetSpeedScale(), follow, take)
+                                   streamlines.GetField().GetSpeedScale(), follow, take)
                                : follow(SampleOrder(samples, first));
   for (const vtkFlowReport& report : reports)
   {
@@ -397,7 +416,7 @@ bool ImplicitFlowRun::Follow(
   }
   if (isDone)
   {
-    FindSides(walker, samples, sides, arrays);
+    FindSides(streamlines, samples, sides, arrays);
   }
   return isDone;
 }
@@ -485,63 +504,47 @@ bool ImplicitFlowRun::FollowShared(const int dimensions[3], vtkDataSet* samples,
   return goesOn;
 }
 
-template <typename Walker>
 void ImplicitFlowRun::FindSides(
-  const Walker& walker, vtkDataSet* samples, const TerminationSides& sides, Arrays& arrays)
+  Streamlines& streamlines, vtkDataSet* samples, const TerminationSides& sides, Arrays& arrays)
 {
   arrays.Side->Fill(0);
   const std::vector<vtkIdType> corners = sides.FindCorners(samples, arrays.Id->GetPointer(0));
+  const std::vector<Streamlines::Velocity> velocities = streamlines.GetVelocities(
+    static_cast<vtkIdType>(corners.size()),
+    [&](vtkIdType i, double x[3]) { samples->GetPoint(corners[static_cast<std::size_t>(i)], x); });
   vtkSMPTools::For(0, static_cast<vtkIdType>(corners.size()),
     [&](vtkIdType first, vtkIdType last)
     {
-      Walker field(walker);
-      for (vtkIdType i = first; i < last; ++i)
+      for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
       {
-        const vtkIdType id = corners[static_cast<std::size_t>(i)];
-        double x[3];
-        double p[3];
-        double rate[3];
-        double velocity[3];
-        samples->GetPoint(id, x);
-        if (field.Locate(x, p))
+        if (velocities[i].IsInField)
         {
-          field.GetVelocity(p, rate);
-          field.GetWorldVector(p, rate, velocity);
-          arrays.Side->SetValue(id, sides.GetSide(id, arrays.Id->GetValue(id), x, velocity));
+          const vtkIdType id = corners[i];
+          double x[3];
+          samples->GetPoint(id, x);
+          arrays.Side->SetValue(id, sides.GetSide(id, arrays.Id->GetValue(id), x, velocities[i].V));
         }
       }
     });
 }
 
-template <typename Walker>
-void ImplicitFlowRun::FindBeyond(const Walker& walker, vtkDataSet* samples) const
+bool ImplicitFlowRun::FindBeyond(Streamlines& streamlines, vtkDataSet* samples) const
 {
   vtkFieldData* data = samples->GetFieldData();
   BeyondSamples::Remove(data);
   ImplicitFlowArrays known;
-  if (!known.Find(samples).empty())
+  std::vector<BeyondCorners::Corner> corners;
+  if (known.Find(samples).empty())
   {
-    return;
+    corners = BeyondCorners::Find(samples, known, this->Options);
   }
-  using Answer = typename BeyondTrace<Walker>::Answer;
-  const std::vector<BeyondCorners::Corner> corners =
-    BeyondCorners::Find(samples, known, this->Options);
-  std::vector<Answer> answers(corners.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(corners.size()),
-    [&](vtkIdType first, vtkIdType last)
-    {
-      BeyondTrace<Walker> trace(walker, this->Options);
-      for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
-      {
-        double x[3];
-        samples->GetPoint(corners[i].Sample, x);
-        answers[i] = trace.Find(corners[i], x);
-      }
-    });
+  BeyondTrace trace(streamlines, this->Options, samples, this->Progress);
+  std::vector<BeyondTrace::Answer> answers;
+  const bool isDone = trace.Find(corners, answers);
   const auto number = static_cast<vtkIdType>(corners.size());
-  if (number == 0)
+  if (number == 0 || !isDone)
   {
-    return;
+    return isDone;
   }
   using Beyond = BeyondSamples;
   auto* points = Add<vtkIdTypeArray>(data, Beyond::GetName(Beyond::Point), 1, number);
@@ -564,38 +567,26 @@ void ImplicitFlowRun::FindBeyond(const Walker& walker, vtkDataSet* samples) cons
   }
   // The id tells whether something is reached.
   data->RemoveArray(Beyond::GetName(vtkFlowStatus::StatusArray()).c_str());
+  return true;
 }
 
-template <typename Walker>
-void ImplicitFlowRun::CheckSampling(const Walker& walker, vtkDataSet* samples)
+bool ImplicitFlowRun::CheckSampling(Streamlines& streamlines, vtkDataSet* samples)
 {
   ImplicitFlowArrays arrays;
   if (!arrays.Find(samples).empty())
   {
-    return;
+    return true;
   }
   SamplingCheck check(samples, arrays, this->Options.SamplingChecks);
-  const bool isDone = SampleStreams::Run(check.GetNumber(), this->Owner, 1.0, 1.0,
-    [&](auto&& next)
-    {
-      FollowEach(
-        walker, this->Options,
-        [&](double x[3])
-        {
-          const vtkIdType i = next();
-          if (i >= 0)
-          {
-            check.GetMiddle(i, x);
-          }
-          return i;
-        },
-        [&](vtkIdType i, const double*, const AdvectionResult& result) { check.Set(i, result); });
-    });
+  const bool isDone = streamlines.Follow(
+    this->Options, check.GetNumber(), [&](vtkIdType i, double x[3]) { check.GetMiddle(i, x); },
+    [&](vtkIdType i, const AdvectionResult& result) { check.Set(i, result); }, this->Progress, 1.0);
   if (isDone)
   {
     this->Report.Sampling = check.GetReport();
     SamplingCheck::AddArrays(this->Report.Sampling, samples->GetFieldData());
   }
+  return isDone;
 }
 
 void ImplicitFlowRun::AddSurfaces(vtkDataSet* samples, int domainFaces) const

@@ -20,6 +20,8 @@ namespace interlume
 {
 
 class MeshLinks;
+class RankField;
+class Streamlines;
 class TerminationSides;
 
 /**
@@ -33,6 +35,10 @@ public:
   ImplicitFlowRun(
     vtkAlgorithm* owner, const AdvectionOptions& options, vtkDataSet* field, vtkDataArray* vectors);
 
+  /// Sets the processes' parts of the field, of which this one has the vectors' and no more. Every
+  /// process is to execute.
+  void SetRanks(RankField* ranks);
+
   /**
    * Adds the arrays to \a samples. Returns what is wrong, or nothing, as after an abort. The first
    * part of the progress is building the field.
@@ -45,6 +51,9 @@ public:
 
   const vtkFlowReport& GetReport() const { return this->Report; }
 
+  /// Returns whether the execution was aborted, in this or any process.
+  bool WasAborted() const { return this->Aborted; }
+
   /// Returns what was found of the mesh of an unstructured grid, to be kept until the next
   /// execution; null for others.
   const std::shared_ptr<const MeshLinks>& GetMesh() const { return this->Mesh; }
@@ -54,16 +63,20 @@ private:
   /// Replaces what is automatic in the options; error and speed are parts of the field's speed
   /// (SpeedScale).
   void ReplaceAutomatic(double speed);
+  ///@{
+  /// Builds the field and follows all samples: where the process has all of the field, and where
+  /// processes have parts.
+  std::string ExecuteAlone(const std::vector<vtkDataArray*>& means, vtkDataSet* samples);
+  std::string ExecuteInRanks(const std::vector<vtkDataArray*>& means, vtkDataSet* samples);
+  ///@}
   /// Follows all samples, and those of the levels of refinement.
-  template <typename Walker>
-  void FollowAll(const Walker& walker, vtkDataSet* samples);
+  void FollowAll(Streamlines& streamlines, vtkDataSet* samples, int domainFaces);
   /// Fills the part of the report that describes the field.
   template <typename FieldType>
   void Describe(const FieldType& field);
   /// Follows the samples from \a first on. Returns false when the owner was aborted.
-  template <typename Walker>
-  bool Follow(
-    const Walker& walker, vtkDataSet* samples, vtkIdType first, int level, TerminationSides& sides);
+  bool Follow(Streamlines& streamlines, vtkDataSet* samples, vtkIdType first, int level,
+    TerminationSides& sides);
   /// Follows samples of a lattice level by level, where some take the answers of those around them.
   /// \a follow follows those that an order has and returns false when the owner was aborted, \a
   /// take takes a result for a sample.
@@ -75,24 +88,28 @@ private:
   /// Returns the distance of two places on the surface with this id.
   double GetDistance(int id, const double first[2], const double other[2]) const;
   /// Finds on which side of their surface samples are, after all samples of \a sides were followed.
-  template <typename Walker>
   static void FindSides(
-    const Walker& walker, vtkDataSet* samples, const TerminationSides& sides, Arrays& arrays);
+    Streamlines& streamlines, vtkDataSet* samples, const TerminationSides& sides, Arrays& arrays);
   /// Finds what samples beside surfaces would have on the other side, after their sides were found.
-  template <typename Walker>
-  void FindBeyond(const Walker& walker, vtkDataSet* samples) const;
-  /// Compares what is interpolated between samples with streamlines.
-  template <typename Walker>
-  void CheckSampling(const Walker& walker, vtkDataSet* samples);
+  /// Returns false when the owner was aborted.
+  bool FindBeyond(Streamlines& streamlines, vtkDataSet* samples) const;
+  /// Compares what is interpolated between samples with streamlines. Returns false when the owner
+  /// was aborted.
+  bool CheckSampling(Streamlines& streamlines, vtkDataSet* samples);
   std::string FindArrays(std::vector<vtkDataArray*>& means) const;
   void AddSurfaces(vtkDataSet* samples, int domainFaces) const;
 
   vtkAlgorithm* Owner;
   AdvectionOptions Options;
+  // The whole field, perhaps without arrays, and the data that the process has of it.
   vtkDataSet* Field;
+  vtkDataSet* Data;
   vtkDataArray* Vectors;
+  RankField* Ranks = nullptr;
   vtkSmartPointer<vtkUnstructuredGrid> Refined;
   vtkFlowReport Report;
+  double Progress = 0.0;
+  bool Aborted = false;
   std::shared_ptr<const MeshLinks> Mesh;
 };
 

@@ -49,7 +49,19 @@ void vtkFlowReport::Print(std::ostream& os, vtkIndent indent) const
       { "MinimumSpeed", this->MinimumSpeed }, { "MaximumSpeed", this->MaximumSpeed },
       { "FillValues", this->FillValues }, { "KeptFaces", this->KeptFaces },
       { "JoinedFaces", this->JoinedFaces }, { "LargestJoinedGap", this->LargestJoinedGap },
-      { "OpenInterfaces", this->OpenInterfaces } });
+      { "OpenInterfaces", this->OpenInterfaces }, { "FieldBytes", this->FieldBytes } });
+  for (std::size_t rank = 0; rank < this->StepsOfRanks.size(); ++rank)
+  {
+    os << indent << "Steps of process " << rank << ": " << this->StepsOfRanks[rank] << "\n";
+  }
+  if (!this->StepsOfRanks.empty())
+  {
+    os << indent << "HandedOn: " << this->HandedOn << "\n";
+  }
+  if (!this->WholeFieldReason.empty())
+  {
+    os << indent << "Each process holds the whole field: " << this->WholeFieldReason << "\n";
+  }
 }
 
 void vtkFlowReport::Add(const vtkFlowReport& other)

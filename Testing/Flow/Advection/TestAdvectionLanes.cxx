@@ -9,7 +9,7 @@
 #include "Advection/AdvectionLanes.h"
 #include "Fields/FieldDispatch.h"
 #include "Numerics/Powers.h"
-#include "Samples/LatticeSteps.h"
+#include "Streams/LatticeSteps.h"
 
 #include "vtkAnalyticFlowSource.h"
 #include "vtkDataArray.h"

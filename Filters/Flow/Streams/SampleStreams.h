@@ -17,6 +17,32 @@ namespace interlume
  */
 namespace SampleStreams
 {
+/// Each thread calls \a work(next), where next() returns an item of [first, all) that nobody has
+/// had, and -1 after the last.
+template <typename Work>
+void RunRange(vtkIdType first, vtkIdType all, Work&& work)
+{
+  // Items in a row are near each other, and are taken by one thread.
+  constexpr vtkIdType part = 8;
+  std::atomic<vtkIdType> taken(first);
+  vtkSMPTools::For(0, vtkSMPTools::GetEstimatedNumberOfThreads(), 1,
+    [&](vtkIdType, vtkIdType)
+    {
+      vtkIdType item = 0;
+      vtkIdType last = 0;
+      work(
+        [&]() -> vtkIdType
+        {
+          if (item == last)
+          {
+            item = std::min(taken.fetch_add(part), all);
+            last = std::min(item + part, all);
+          }
+          return item < last ? item++ : -1;
+        });
+    });
+}
+
 /**
  * Each thread calls \a work(next), where next() returns an item of [0, number) that nobody has had,
  * and -1 after the last for the time being. Progress and abort are those of Batches::Run.
@@ -24,9 +50,6 @@ namespace SampleStreams
 template <typename Work>
 bool Run(vtkIdType number, vtkAlgorithm* owner, double start, double end, Work&& work)
 {
-  // Items in a row are near each other, and are taken by one thread.
-  constexpr vtkIdType part = 8;
-  const vtkIdType threads = vtkSMPTools::GetEstimatedNumberOfThreads();
   const vtkIdType batches = std::min(number, Batches::NumberOfBatches);
   for (vtkIdType batch = 0; batch < batches; ++batch)
   {
@@ -35,24 +58,7 @@ bool Run(vtkIdType number, vtkAlgorithm* owner, double start, double end, Work&&
     {
       return false;
     }
-    std::atomic<vtkIdType> taken(batch * number / batches);
-    const vtkIdType all = (batch + 1) * number / batches;
-    vtkSMPTools::For(0, threads, 1,
-      [&](vtkIdType, vtkIdType)
-      {
-        vtkIdType item = 0;
-        vtkIdType last = 0;
-        work(
-          [&]() -> vtkIdType
-          {
-            if (item == last)
-            {
-              item = std::min(taken.fetch_add(part), all);
-              last = std::min(item + part, all);
-            }
-            return item < last ? item++ : -1;
-          });
-      });
+    RunRange(batch * number / batches, (batch + 1) * number / batches, work);
   }
   return !owner->GetAbortExecute();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Samples/LatticeSteps.h"
+#include "Streams/LatticeSteps.h"
 
 #include "Common/FunctionClones.h"
 
@@ -19,6 +19,18 @@ unsigned int TakeByAVX2(LatticeSteps::GridSteps& steps, unsigned int lanes)
 {
   return steps.Take(lanes);
 }
+
+INTERLUME_AVX2_FUNCTION
+unsigned int TakeByAVX2(LatticeSteps::ImagePartSteps& steps, unsigned int lanes)
+{
+  return steps.Take(lanes);
+}
+
+INTERLUME_AVX2_FUNCTION
+unsigned int TakeByAVX2(LatticeSteps::GridPartSteps& steps, unsigned int lanes)
+{
+  return steps.Take(lanes);
+}
 }
 
 unsigned int LatticeSteps::Take(ImageSteps& steps, unsigned int lanes)
@@ -29,6 +41,16 @@ unsigned int LatticeSteps::Take(ImageSteps& steps, unsigned int lanes)
 unsigned int LatticeSteps::Take(GridSteps& steps, unsigned int lanes)
 {
   return INTERLUME_HAS_AVX2 ? TakeByAVX2(steps, lanes) : TakePlainly(steps, lanes);
+}
+
+unsigned int LatticeSteps::Take(ImagePartSteps& steps, unsigned int lanes)
+{
+  return INTERLUME_HAS_AVX2 ? TakeByAVX2(steps, lanes) : steps.Take(lanes);
+}
+
+unsigned int LatticeSteps::Take(GridPartSteps& steps, unsigned int lanes)
+{
+  return INTERLUME_HAS_AVX2 ? TakeByAVX2(steps, lanes) : steps.Take(lanes);
 }
 
 unsigned int LatticeSteps::TakePlainly(ImageSteps& steps, unsigned int lanes)

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Streams/RankExchange.h"
+
+#include "vtkCommunicator.h"
+#include "vtkMultiProcessController.h"
+
+#if VTK_MODULE_ENABLE_VTK_ParallelDIY
+#include "vtkDIYUtilities.h"
+#endif
+
+namespace interlume
+{
+
+bool RankExchange::IsPossible(vtkMultiProcessController* controller)
+{
+#if VTK_MODULE_ENABLE_VTK_ParallelDIY
+  return controller && controller->GetNumberOfProcesses() > 1 &&
+    vtkDIYUtilities::GetCommunicator(controller).size() == controller->GetNumberOfProcesses();
+#else
+  static_cast<void>(controller);
+  return false;
+#endif
+}
+
+RankExchange::RankExchange(vtkMultiProcessController* controller)
+  : Controller(controller)
+  , Rank(controller->GetLocalProcessId())
+  , NumberOfRanks(controller->GetNumberOfProcesses())
+{
+}
+
+void RankExchange::Add(std::vector<vtkIdType>& numbers)
+{
+  const std::vector<vtkIdType> own = numbers;
+  this->Controller->AllReduce(
+    own.data(), numbers.data(), static_cast<vtkIdType>(own.size()), vtkCommunicator::SUM_OP);
+}
+
+void RankExchange::Maximize(std::vector<double>& numbers)
+{
+  const std::vector<double> own = numbers;
+  this->Controller->AllReduce(
+    own.data(), numbers.data(), static_cast<vtkIdType>(own.size()), vtkCommunicator::MAX_OP);
+}
+
+bool RankExchange::IsAnywhere(bool here)
+{
+  std::vector<vtkIdType> number{ here ? 1 : 0 };
+  this->Add(number);
+  return number[0] > 0;
+}
+
+std::string RankExchange::FindFirst(const std::string& text)
+{
+  const int own = text.empty() ? this->NumberOfRanks : this->Rank;
+  int first = own;
+  this->Controller->AllReduce(&own, &first, 1, vtkCommunicator::MIN_OP);
+  if (first == this->NumberOfRanks)
+  {
+    return {};
+  }
+  int length = static_cast<int>(text.size());
+  this->Controller->Broadcast(&length, 1, first);
+  std::string found = text;
+  found.resize(static_cast<std::size_t>(length));
+  this->Controller->Broadcast(&found[0], length, first);
+  return found;
+}
+
+void RankExchange::Run(const Work& work)
+{
+#if VTK_MODULE_ENABLE_VTK_ParallelDIY
+  struct Block
+  {
+  };
+  Block block;
+  diy::mpi::communicator communicator = vtkDIYUtilities::GetCommunicator(this->Controller);
+  diy::Master master(communicator, 1);
+  // A streamline goes on in a part that touches this one, but begins and ends anywhere.
+  auto* link = new diy::Link;
+  for (int rank = 0; rank < this->NumberOfRanks; ++rank)
+  {
+    if (rank != this->Rank)
+    {
+      link->add_neighbor(diy::BlockID{ rank, rank });
+    }
+  }
+  master.add(this->Rank, &block, link);
+  std::vector<Bytes> sent(static_cast<std::size_t>(this->NumberOfRanks));
+  Bytes received;
+  master.iexchange(
+    [&](Block*, const diy::Master::ProxyWithLink& proxy)
+    {
+      received.clear();
+      std::vector<int> senders;
+      proxy.incoming(senders);
+      for (const int sender : senders)
+      {
+        diy::MemoryBuffer& queue = proxy.incoming(sender);
+        received.insert(received.end(),
+          queue.buffer.begin() + static_cast<std::ptrdiff_t>(queue.position), queue.buffer.end());
+        queue.wipe();
+      }
+      const bool isDone = work(received, sent);
+      for (int rank = 0; rank < this->NumberOfRanks; ++rank)
+      {
+        Bytes& message = sent[static_cast<std::size_t>(rank)];
+        if (!message.empty())
+        {
+          proxy.enqueue(diy::BlockID{ rank, rank }, message.data(), message.size());
+          message.clear();
+        }
+      }
+      return isDone;
+    });
+#else
+  static_cast<void>(work);
+#endif
+}
+
+}

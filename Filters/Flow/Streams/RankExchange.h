@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_RankExchange_h
+#define interlume_RankExchange_h
+
+#include "vtkType.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkMultiProcessController;
+
+namespace interlume
+{
+
+/**
+ * @class   RankExchange
+ * @brief   what the processes of a controller tell each other, by VTK's DIY
+ *
+ * All members but those that ask for a number are collective: every process calls them, in the same
+ * order.
+ */
+class RankExchange
+{
+public:
+  using Bytes = std::vector<char>;
+
+  /// Returns whether the processes of \a controller can exchange anything: there are several, and
+  /// VTK has DIY.
+  static bool IsPossible(vtkMultiProcessController* controller);
+
+  explicit RankExchange(vtkMultiProcessController* controller);
+
+  int GetRank() const { return this->Rank; }
+  int GetNumberOfRanks() const { return this->NumberOfRanks; }
+
+  /// Replaces numbers by their sums over all processes.
+  void Add(std::vector<vtkIdType>& numbers);
+  /// Replaces numbers by the largest of all processes.
+  void Maximize(std::vector<double>& numbers);
+  /// Returns whether anything is so in any process.
+  bool IsAnywhere(bool here);
+  /// Returns the first process's text that is not empty.
+  std::string FindFirst(const std::string& text);
+
+  /**
+   * Calls work(received, sent) again and again until nobody has anything left to do and all that
+   * was sent has been received. \a received are bytes from any processes, messages in one piece;
+   * what is appended to sent[r] goes to process r. \a work returns whether it is done until it
+   * receives something.
+   */
+  using Work = std::function<bool(const Bytes& received, std::vector<Bytes>& sent)>;
+  void Run(const Work& work);
+
+private:
+  vtkMultiProcessController* Controller;
+  int Rank;
+  int NumberOfRanks;
+};
+
+}
+
+#endif

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_RankStreamlines_h
+#define interlume_RankStreamlines_h
+
+#include "Streams/Streamlines.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkDataArray;
+
+namespace interlume
+{
+
+class RankField;
+
+/**
+ * @class   RankStreamlines
+ * @brief   streamlines of a field that processes hold in parts
+ *
+ * A streamline begins in the process whose own the cell of its start is, goes on with its whole
+ * state in the next one where it enters a cell of that, and its result goes back to the process
+ * that asked for it. Nobody waits: what has come in is followed by threads, a batch at a time,
+ * while others do the same. Steps see one cell only and cells are numbered and placed as in the
+ * whole, so that results have the bytes that they have where one process holds all.
+ *
+ * When the execution is aborted in one process it ends in all.
+ */
+class RankStreamlines : public Streamlines
+{
+public:
+  /// Builds the field, whose part \a field has. Collective; \a error is what is wrong in any
+  /// process, and nothing is returned then.
+  static std::unique_ptr<RankStreamlines> Make(RankField& field, vtkDataArray* vectors,
+    const std::vector<vtkDataArray*>& arrays, vtkAlgorithm* owner, std::string& error);
+
+  /// Returns the number of steps that this process took, and of streamlines that it handed on.
+  virtual vtkIdType GetNumberOfSteps() const = 0;
+  virtual vtkIdType GetNumberOfHandedOn() const = 0;
+};
+
+}
+
+#endif

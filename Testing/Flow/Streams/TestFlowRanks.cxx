@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Implicit flow of fields that processes hold in parts, under MPI: the bytes of one process with
+// all of the field, at a share of its memory; what is wrong in any process, and what keeps the
+// field whole.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+
+#include "vtkAnalyticFlowSource.h"
+#include "vtkFlowStatus.h"
+#include "vtkImplicitFlowField.h"
+#include "vtkTerminationCylinder.h"
+#include "vtkTerminationInflow.h"
+#include "vtkTerminationPlane.h"
+#include "vtkTerminationSphere.h"
+
+#include "vtkCommunicator.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMPIController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkRectilinearGridAlgorithm.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace reference;
+
+/// An analytic flow on planes that come closer and closer, of any part alone.
+class GridSource : public vtkRectilinearGridAlgorithm
+{
+public:
+  static GridSource* New();
+  vtkTypeMacro(GridSource, vtkRectilinearGridAlgorithm);
+
+  vtkNew<vtkAnalyticFlowSource> Flow;
+  int WholeExtent[6] = { 3, 27, -4, 18, 0, 21 };
+
+protected:
+  GridSource() { this->SetNumberOfInputPorts(0); }
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    vtkInformation* info = outputs->GetInformationObject(0);
+    info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), this->WholeExtent, 6);
+    info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+    return 1;
+  }
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    vtkInformation* info = outputs->GetInformationObject(0);
+    vtkRectilinearGrid* grid = vtkRectilinearGrid::GetData(info);
+    int extent[6];
+    info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
+    grid->SetExtent(extent);
+    vtkNew<vtkDoubleArray> coordinates[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int first = this->WholeExtent[2 * axis];
+      const int last = this->WholeExtent[2 * axis + 1];
+      for (int i = extent[2 * axis]; i <= extent[2 * axis + 1]; ++i)
+      {
+        const double part = static_cast<double>(i - first) / (last - first);
+        coordinates[axis]->InsertNextValue(-1.0 + 2.0 * part * (1.3 - 0.3 * part));
+      }
+    }
+    grid->SetXCoordinates(coordinates[0]);
+    grid->SetYCoordinates(coordinates[1]);
+    grid->SetZCoordinates(coordinates[2]);
+    vtkNew<vtkDoubleArray> vectors;
+    vectors->SetName("Velocity");
+    vectors->SetNumberOfComponents(3);
+    vectors->SetNumberOfTuples(grid->GetNumberOfPoints());
+    for (vtkIdType id = 0; id < grid->GetNumberOfPoints(); ++id)
+    {
+      double v[3];
+      this->Flow->Evaluate(grid->GetPoint(id), v);
+      vectors->SetTypedTuple(id, v);
+    }
+    grid->GetPointData()->SetVectors(vectors);
+    return 1;
+  }
+};
+vtkStandardNewMacro(GridSource);
+
+struct Case
+{
+  std::string Name;
+  std::function<vtkAlgorithm*()> MakeSource;
+  std::function<void(vtkImplicitFlowField*)> Set;
+};
+
+vtkAlgorithm* MakeFlow(
+  int field, int type, int x, int y, int z, double size, int inside = vtkAnalyticFlowSource::HIDDEN)
+{
+  vtkAnalyticFlowSource* source = vtkAnalyticFlowSource::New();
+  source->SetField(field);
+  source->SetOutputScalarType(type);
+  source->SetDimensions(x, y, z);
+  source->SetBounds(-size, size, -0.9 * size, size, -0.8 * size, 0.7 * size);
+  source->SetInside(inside);
+  return source;
+}
+
+void AddPlane(vtkImplicitFlowField* filter, double x)
+{
+  vtkNew<vtkTerminationPlane> plane;
+  plane->SetOrigin(x, -30.0, -30.0);
+  plane->SetPoint1(x, 30.0, -30.0);
+  plane->SetPoint2(x, -30.0, 30.0);
+  filter->AddTerminationSurface(plane);
+}
+
+void AddSphere(vtkImplicitFlowField* filter, double radius)
+{
+  vtkNew<vtkTerminationSphere> sphere;
+  sphere->SetRadius(radius);
+  filter->AddTerminationSurface(sphere);
+}
+
+std::vector<Case> MakeCases()
+{
+  using Flow = vtkAnalyticFlowSource;
+  std::vector<Case> cases;
+  cases.push_back(
+    { "hurricane", [] { return MakeFlow(Flow::HURRICANE, VTK_FLOAT, 25, 22, 19, 2.0); },
+      [](vtkImplicitFlowField* filter)
+      {
+        AddPlane(filter, 0.31);
+        filter->SetDomainFaces(true);
+        filter->SetKeepSteps(true);
+        filter->SetComputeArcLength(true);
+        filter->SetComputeMeanVorticity(true);
+        filter->SetComputeMaximumSpeed(true);
+      } });
+  cases.push_back({ "flow past a cylinder that is hidden",
+    [] { return MakeFlow(Flow::CYLINDER, VTK_DOUBLE, 31, 27, 14, 3.0); },
+    [](vtkImplicitFlowField* filter)
+    {
+      AddPlane(filter, -2.7);
+      AddPlane(filter, 1.9);
+      filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+      filter->SetSampleDimensions(26, 24, 17);
+    } });
+  cases.push_back(
+    { "tornado, fewer samples", [] { return MakeFlow(Flow::TORNADO, VTK_FLOAT, 45, 41, 33, 1.5); },
+      [](vtkImplicitFlowField* filter)
+      {
+        AddSphere(filter, 0.7);
+        filter->SetDirectionToForward();
+      } });
+  cases.push_back({ "closed orbits on a rectilinear grid",
+    []
+    {
+      GridSource* source = GridSource::New();
+      source->Flow->SetField(Flow::ABC);
+      return source;
+    },
+    [](vtkImplicitFlowField* filter)
+    {
+      AddSphere(filter, 0.25);
+      filter->SetMaximumNumberOfSteps(4000);
+    } });
+  cases.push_back(
+    { "stiff node", [] { return MakeFlow(Flow::SOURCE_SINK, VTK_DOUBLE, 24, 20, 21, 2.0); },
+      [](vtkImplicitFlowField* filter)
+      {
+        AddSphere(filter, 0.4);
+        filter->SetIntegrator(vtkImplicitFlowField::ROSENBROCK);
+        filter->SetDomainFaces(true);
+        filter->SetDirectionToForward();
+        filter->SetRefinementLevels(1);
+      } });
+  cases.push_back({ "four cells", [] { return MakeFlow(Flow::UNIFORM, VTK_FLOAT, 2, 2, 5, 1.0); },
+    [](vtkImplicitFlowField* filter) { filter->SetDomainFaces(true); } });
+  return cases;
+}
+
+/// Compares the arrays of samples with those of the same places in the whole.
+void Compare(Check& check, vtkDataSet* part, vtkDataSet* whole)
+{
+  std::vector<vtkIdType> ids(static_cast<std::size_t>(part->GetNumberOfPoints()));
+  for (vtkIdType id = 0; id < part->GetNumberOfPoints(); ++id)
+  {
+    const vtkIdType place = whole->FindPoint(part->GetPoint(id));
+    ids[static_cast<std::size_t>(id)] = place;
+    double x[3];
+    whole->GetPoint(place, x);
+    check.That(std::memcmp(x, part->GetPoint(id), sizeof(x)) == 0, "a sample of the whole");
+  }
+  vtkPointData* found = part->GetPointData();
+  check.Equal(found->GetNumberOfArrays(), whole->GetPointData()->GetNumberOfArrays(), "arrays");
+  for (int i = 0; i < found->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = found->GetArray(i);
+    // A cell beyond the samples of this process may be the one that a surface passes through.
+    if (std::string(array->GetName()) == vtkFlowStatus::SideArray())
+    {
+      continue;
+    }
+    vtkDataArray* expected = whole->GetPointData()->GetArray(array->GetName());
+    const auto size =
+      static_cast<std::size_t>(array->GetNumberOfComponents() * array->GetDataTypeSize());
+    vtkIdType differences = 0;
+    for (vtkIdType id = 0; id < array->GetNumberOfTuples(); ++id)
+    {
+      const vtkIdType other = ids[static_cast<std::size_t>(id)] * array->GetNumberOfComponents();
+      differences += std::memcmp(array->GetVoidPointer(id * array->GetNumberOfComponents()),
+                       expected->GetVoidPointer(other), size) == 0
+        ? 0
+        : 1;
+    }
+    check.Equal(differences, 0, std::string("samples of other bytes in ") + array->GetName());
+  }
+}
+
+vtkIdType Sum(vtkMultiProcessController* controller, vtkIdType own)
+{
+  vtkIdType sum = own;
+  controller->AllReduce(&own, &sum, 1, vtkCommunicator::SUM_OP);
+  return sum;
+}
+
+void TestCase(Check& check, vtkMultiProcessController* controller, const Case& test)
+{
+  const int ranks = controller->GetNumberOfProcesses();
+  const int rank = controller->GetLocalProcessId();
+  check.SetContext(
+    test.Name + ", process " + std::to_string(rank) + " of " + std::to_string(ranks));
+  vtkNew<vtkImplicitFlowField> filters[2];
+  for (auto& filter : filters)
+  {
+    const auto source = vtk::TakeSmartPointer(test.MakeSource());
+    filter->SetInputConnection(source->GetOutputPort());
+    test.Set(filter);
+  }
+  filters[0]->SetController(nullptr);
+  filters[0]->Update();
+  vtkDataSet* whole = vtkDataSet::SafeDownCast(filters[0]->GetOutputDataObject(0));
+  const vtkFlowReport all = filters[0]->GetReport();
+
+  filters[1]->UpdateInformation();
+  filters[1]->UpdatePiece(rank, ranks, 0);
+  const vtkFlowReport& own = filters[1]->GetReport();
+  vtkDataSet* part = vtkDataSet::SafeDownCast(filters[1]->GetOutputDataObject(0));
+  Compare(check, part, whole);
+  check.That(
+    Sum(controller, part->GetNumberOfPoints()) >= whole->GetNumberOfPoints(), "all samples");
+  check.That(own.WholeFieldReason.empty(), "in parts, not " + own.WholeFieldReason);
+  check.That(own.MaximumSpeed == all.MaximumSpeed && own.MaximumError == all.MaximumError &&
+      own.FillValues == all.FillValues,
+    "what is known of the whole field");
+  check.Equal(static_cast<long long>(own.StepsOfRanks.size()), ranks > 1 ? ranks : 0, "ranks");
+  check.That(ranks == 1 || own.HandedOn > 0 || all.Steps < 100, "streamlines are handed on");
+  if (rank == 0)
+  {
+    std::cout << test.Name << ": " << whole->GetNumberOfPoints() << " samples, bytes of the field "
+              << own.FieldBytes << " of " << all.FieldBytes << ", handed on " << own.HandedOn
+              << ", steps";
+    for (const vtkIdType steps : own.StepsOfRanks)
+    {
+      std::cout << " " << steps;
+    }
+    std::cout << " of " << all.Steps + all.RejectedSteps + all.StiffSteps + all.RejectedStiffSteps
+              << std::endl;
+  }
+}
+
+/// Returns a line of what Linux tells of the process, in bytes: its memory (VmRSS), or the most
+/// that it has had (VmHWM). 0 elsewhere.
+double GetMemory(const std::string& name)
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+  {
+    if (line.rfind(name + ":", 0) == 0)
+    {
+      return 1024.0 * std::stod(line.substr(name.size() + 1));
+    }
+  }
+  return 0.0;
+}
+
+/// A larger field takes a process its share of the memory: by what the filter tells, and by what
+/// the system does, which is first asked of the part and then of the whole.
+void TestMemory(Check& check, vtkMultiProcessController* controller)
+{
+  constexpr int points = 201;
+  const int ranks = controller->GetNumberOfProcesses();
+  double bytes[2];
+  double growths[2];
+  for (int isWhole = 0; isWhole < 2; ++isWhole)
+  {
+    const double before = GetMemory("VmRSS");
+    const auto source = vtk::TakeSmartPointer(
+      MakeFlow(vtkAnalyticFlowSource::UNIFORM, VTK_FLOAT, points, points, points, 1.0));
+    vtkNew<vtkImplicitFlowField> filter;
+    filter->SetController(isWhole ? nullptr : controller);
+    filter->SetInputConnection(source->GetOutputPort());
+    filter->SetDomainFaces(true);
+    filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+    filter->SetSampleDimensions(8, 8, 8);
+    filter->UpdateInformation();
+    filter->UpdatePiece(controller->GetLocalProcessId(), ranks, 0);
+    bytes[isWhole] = static_cast<double>(filter->GetReport().FieldBytes);
+    growths[isWhole] = GetMemory("VmHWM") - before;
+  }
+  check.SetContext(std::to_string(ranks) + " processes");
+  check.That(bytes[1] == 12.0 * points * points * points, "bytes of the whole");
+  const double most = ranks == 1 ? 1.0 : (ranks == 2 ? 0.65 : 0.4);
+  check.That(
+    bytes[0] / bytes[1] <= most, "share of the field: " + std::to_string(bytes[0] / bytes[1]));
+  // The most that one process has had is as much as before where it had all.
+  const double share = growths[1] > 0.0 ? growths[0] / growths[1] : 0.0;
+  check.That(ranks == 1 || share <= most, "share of the memory: " + std::to_string(share));
+  if (controller->GetLocalProcessId() == 0)
+  {
+    std::cout << "shares of the whole field: bytes " << bytes[0] / bytes[1] << ", memory " << share
+              << " of " << growths[1] / 1048576.0 << " MiB" << std::endl;
+  }
+}
+
+/// What keeps the field whole, and answers all the same.
+void TestWholeField(Check& check, vtkMultiProcessController* controller)
+{
+  check.SetContext("whole field");
+  const int ranks = controller->GetNumberOfProcesses();
+  const std::function<void(vtkImplicitFlowField*)> obstacles[] = {
+    [](vtkImplicitFlowField* filter) { filter->SetShareStreamlines(true); },
+    [](vtkImplicitFlowField* filter) { filter->SetCriticalPointSpheres(true); },
+    [](vtkImplicitFlowField* filter)
+    {
+      vtkNew<vtkTerminationInflow> inflow;
+      filter->AddTerminationSurface(inflow);
+    },
+  };
+  for (const auto& set : obstacles)
+  {
+    const auto source =
+      vtk::TakeSmartPointer(MakeFlow(vtkAnalyticFlowSource::SHEAR, VTK_FLOAT, 9, 9, 9, 1.0));
+    vtkNew<vtkImplicitFlowField> filter;
+    filter->SetInputConnection(source->GetOutputPort());
+    filter->SetDomainFaces(true);
+    set(filter);
+    filter->UpdateInformation();
+    filter->UpdatePiece(controller->GetLocalProcessId(), ranks, 0);
+    const vtkFlowReport& report = filter->GetReport();
+    check.Equal(static_cast<long long>(report.FieldBytes), 9 * 9 * 9 * 12, "bytes of the whole");
+    check.That((ranks > 1) == !report.WholeFieldReason.empty(), "the reason is told");
+    check.That(report.StepsOfRanks.empty(), "no steps of processes");
+  }
+}
+
+/// What is wrong is told by every process, and none waits for ever.
+void TestErrors(Check& check, vtkMultiProcessController* controller)
+{
+  check.SetContext("errors");
+  const auto source =
+    vtk::TakeSmartPointer(MakeFlow(vtkAnalyticFlowSource::SHEAR, VTK_FLOAT, 9, 9, 9, 1.0));
+  vtkNew<vtkImplicitFlowField> filter;
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->SetDomainFaces(true);
+  filter->UpdateInformation();
+  filter->AddMeanArray("Pressure");
+  vtkInformation* info = filter->GetOutputInformation(0);
+  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(),
+    controller->GetNumberOfProcesses());
+  info->Set(
+    vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), controller->GetLocalProcessId());
+  const std::string message = MessagesOf(filter);
+  check.That(message.find("Pressure") != std::string::npos, "the array that lacks: " + message);
+}
+
+}
+
+int main(int argc, char* argv[])
+{
+  vtkNew<vtkMPIController> controller;
+  controller->Initialize(&argc, &argv);
+  vtkMultiProcessController::SetGlobalController(controller);
+  Check check;
+  // The most memory is asked for before anything else has taken some.
+  TestMemory(check, controller);
+  for (const Case& test : MakeCases())
+  {
+    TestCase(check, controller, test);
+  }
+  TestWholeField(check, controller);
+  TestErrors(check, controller);
+  const vtkIdType failures = Sum(controller, check.Result() == EXIT_SUCCESS ? 0 : 1);
+  vtkMultiProcessController::SetGlobalController(nullptr);
+  controller->Finalize();
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
