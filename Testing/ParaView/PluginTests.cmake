@@ -123,8 +123,8 @@ foreach (side IN ITEMS client server)
     ${client} "${script}/TestPluginServer.py" alone ${side} "${PVSERVER}")
 endforeach ()
 
+file(GLOB server_manager_xml "${PROJECT_SOURCE_DIR}/Plugin/*.xml")
 if (TARGET Interlume_qch)
-  file(GLOB server_manager_xml "${PROJECT_SOURCE_DIR}/Plugin/*.xml")
   plugin_test(TestPluginHelp "paraview;value" "${Python3_EXECUTABLE}" "${script}/TestPluginHelp.py"
     "${PROJECT_BINARY_DIR}/Plugin/paraview_help/Interlume.qch" $<TARGET_FILE:Interlume>
     ${server_manager_xml})
