@@ -120,8 +120,7 @@ Errors FindErrors(const Case& what, vtkImplicitFlowField* all, vtkImplicitFlowFi
   return errors;
 }
 
-void AddRow(const Case& what, vtkImageData* samples, double tolerance, const BenchOptions& options,
-  BenchRows& rows)
+void AddRow(const Case& what, vtkImageData* samples, double tolerance, BenchRows& rows)
 {
   const auto all = NewAdvection(what, vtkImplicitFlowField::AUTOMATIC, tolerance);
   const auto some = NewAdvection(what, vtkImplicitFlowField::AUTOMATIC, tolerance);
@@ -172,9 +171,9 @@ void AddSharingRows(const BenchOptions& options, BenchRows& rows)
     for (const double tolerance :
       options.Pick<std::vector<double>>({ 1e-3, 1e-4, 1e-6 }, { 1e-3, 1e-6 }, { 1e-3 }))
     {
-      AddRow(what, wide, tolerance, options, rows);
+      AddRow(what, wide, tolerance, rows);
     }
-    AddRow(near, dense, 1e-6, options, rows);
+    AddRow(near, dense, 1e-6, rows);
   }
 }
 
