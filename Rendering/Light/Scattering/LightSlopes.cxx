@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scattering/LightSlopes.h"
 
-#include "vtkSMPTools.h"
-#include "vtkType.h"
+#include "Scattering/MatterLoop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,41 +46,26 @@ std::vector<glm::vec3> LightSlopes::Find(
 {
   const ScatteringMedium& box = matter.Box;
   std::vector<glm::vec3> slopes(matter.Extinction.size(), glm::vec3(0.0f));
-  vtkSMPTools::For(0, box.Cells.z,
-    [&](vtkIdType begin, vtkIdType end)
+  ForCellsOfMatter(matter,
+    [&](const glm::ivec3& cell, std::size_t at)
     {
-      glm::ivec3 cell(0);
-      for (cell.z = static_cast<int>(begin); cell.z < end; ++cell.z)
+      const double extinction = matter.Extinction[at];
+      const glm::dvec3 middle = box.Origin + (glm::dvec3(cell) + 0.5) * box.CellSize;
+      glm::dvec3 sum(0.0);
+      double total = 0.0;
+      for (std::size_t light = 0; light < lights.size(); ++light)
       {
-        for (cell.y = 0; cell.y < box.Cells.y; ++cell.y)
+        const double here = SumOf(lights[light][at]);
+        const glm::dvec3 along = matter.Lights[light].GetDirection(middle);
+        total += here;
+        for (int axis = 0; axis < 3 && here > 0.0; ++axis)
         {
-          for (cell.x = 0; cell.x < box.Cells.x; ++cell.x)
-          {
-            const std::size_t at = box.GetIndex(cell);
-            const double extinction = matter.Extinction[at];
-            if (!(extinction > 0.0))
-            {
-              continue;
-            }
-            const glm::dvec3 middle = box.Origin + (glm::dvec3(cell) + 0.5) * box.CellSize;
-            glm::dvec3 sum(0.0);
-            double total = 0.0;
-            for (std::size_t light = 0; light < lights.size(); ++light)
-            {
-              const double here = SumOf(lights[light][at]);
-              const glm::dvec3 along = matter.Lights[light].GetDirection(middle);
-              total += here;
-              for (int axis = 0; axis < 3 && here > 0.0; ++axis)
-              {
-                sum[axis] += along[axis] != 0.0
-                  ? here * FindSlope(box, lights[light], cell, axis, along[axis], extinction)
-                  : 0.0;
-              }
-            }
-            slopes[at] = total > 0.0 ? glm::vec3(sum / total) : glm::vec3(0.0f);
-          }
+          sum[axis] += along[axis] != 0.0
+            ? here * FindSlope(box, lights[light], cell, axis, along[axis], extinction)
+            : 0.0;
         }
       }
+      slopes[at] = total > 0.0 ? glm::vec3(sum / total) : glm::vec3(0.0f);
     });
   return slopes;
 }

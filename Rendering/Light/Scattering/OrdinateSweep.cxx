@@ -2,6 +2,7 @@
 #include "Scattering/OrdinateSweep.h"
 
 #include "Common/Vectors.h"
+#include "Scattering/MatterLoop.h"
 
 #include "vtkSMPTools.h"
 #include "vtkType.h"
@@ -50,51 +51,35 @@ std::vector<Source> MakeSources(
   const auto even = static_cast<float>(1.0 - input.Peak);
   const auto along = static_cast<float>(3.0 * (input.Cosine - input.Peak));
   std::vector<Source> sources(matter.Extinction.size());
-  vtkSMPTools::For(0, box.Cells.z,
-    [&](vtkIdType begin, vtkIdType end)
+  ForCellsOfMatter(matter,
+    [&](const glm::ivec3& cell, std::size_t at)
     {
-      glm::ivec3 cell(0);
-      for (cell.z = static_cast<int>(begin); cell.z < end; ++cell.z)
+      const float extinction = matter.Extinction[at];
+      const glm::dvec3 middle = box.Origin + (glm::dvec3(cell) + 0.5) * box.CellSize;
+      glm::vec3 sum = output.Mean[at];
+      std::array<glm::vec3, 3> flux{};
+      for (int axis = 0; axis < 3; ++axis)
       {
-        for (cell.y = 0; cell.y < box.Cells.y; ++cell.y)
+        flux[static_cast<std::size_t>(axis)] = output.Lean[at][axis] * output.Mean[at];
+      }
+      for (std::size_t light = 0; light < input.Lights.size(); ++light)
+      {
+        const glm::vec3& here = input.Lights[light][at];
+        const glm::vec3 way(matter.Lights[light].GetDirection(middle));
+        sum += here;
+        for (int axis = 0; axis < 3; ++axis)
         {
-          for (cell.x = 0; cell.x < box.Cells.x; ++cell.x)
-          {
-            const std::size_t at = box.GetIndex(cell);
-            const float extinction = matter.Extinction[at];
-            if (!(extinction > 0.0f))
-            {
-              continue;
-            }
-            const glm::dvec3 middle = box.Origin + (glm::dvec3(cell) + 0.5) * box.CellSize;
-            glm::vec3 sum = output.Mean[at];
-            std::array<glm::vec3, 3> flux{};
-            for (int axis = 0; axis < 3; ++axis)
-            {
-              flux[static_cast<std::size_t>(axis)] = output.Lean[at][axis] * output.Mean[at];
-            }
-            for (std::size_t light = 0; light < input.Lights.size(); ++light)
-            {
-              const glm::vec3& here = input.Lights[light][at];
-              const glm::vec3 way(matter.Lights[light].GetDirection(middle));
-              sum += here;
-              for (int axis = 0; axis < 3; ++axis)
-              {
-                flux[static_cast<std::size_t>(axis)] += way[axis] * here;
-              }
-            }
-            Source& source = sources[at];
-            const glm::vec3 scattered = extinction * matter.Albedo[at];
-            source.Even = glm::vec4(even * scattered * sum, 0.0f);
-            for (std::size_t axis = 0; axis < 3; ++axis)
-            {
-              source.Along[axis] = glm::vec4(along * scattered * flux[axis], 0.0f);
-            }
-            source.Taken =
-              glm::vec4(extinction - scattered * static_cast<float>(input.Peak), extinction);
-          }
+          flux[static_cast<std::size_t>(axis)] += way[axis] * here;
         }
       }
+      Source& source = sources[at];
+      const glm::vec3 scattered = extinction * matter.Albedo[at];
+      source.Even = glm::vec4(even * scattered * sum, 0.0f);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        source.Along[axis] = glm::vec4(along * scattered * flux[axis], 0.0f);
+      }
+      source.Taken = glm::vec4(extinction - scattered * static_cast<float>(input.Peak), extinction);
     });
   return sources;
 }
