@@ -45,6 +45,17 @@ struct Sample
 #endif
 };
 
+// Returns a sample of one piece whose every member has a value, since compilers warn of others.
+Sample noSample()
+{
+#ifdef PAINT_FILTER
+  return Sample(0, bvec2(false), vec2(0.0), 0.0, mat3x2(0.0), vec3(0.0), false, true, vec2(0.0), 0.0,
+    vec2(0.0), 1);
+#else
+  return Sample(0, bvec2(false), vec2(0.0), 0.0, mat3x2(0.0), vec3(0.0));
+#endif
+}
+
 // Returns the kind of a cell, and the code of a bound of the slopes of u and v in it.
 ivec2 kindAt(ivec3 cell)
 {

@@ -23,11 +23,10 @@ float matterAt(vec3 p, mat3 size, out vec3 color)
   {
     return 0.0;
   }
-  Sample found;
+  Sample found = noSample();
   int pieces = 1;
 #ifdef PAINT_FILTER
   Footprint footprint = Footprint(size[0] * voxels, size[1] * voxels, size[2] * voxels);
-  setNarrow(found);
   found.IsWide = isWide(stored.y, footprint);
   if (!lookUpCell(place, cell, stored.x, found.IsWide, found))
   {

@@ -65,14 +65,6 @@ bool isWide(int code, Footprint footprint)
     2.0 * exp2(128.0 - float(code) / 256.0);
 }
 
-// Makes what a sample stands for one piece.
-void setNarrow(inout Sample found)
-{
-  found.IsWide = false;
-  found.IsAlongRay = true;
-  found.Pieces = 1;
-}
-
 // Splits what a sample stands for, by its three axes, into the longest and what is across it.
 void setFootprint(inout Sample found, Footprint footprint)
 {

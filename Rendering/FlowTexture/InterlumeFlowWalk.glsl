@@ -94,7 +94,6 @@ bool addSized(Ray ray, Sample found, int code, vec3 place, inout vec4 sum)
 {
 #ifdef PAINT_FILTER
   Footprint footprint = footprintOf(ray, ray.From, pieceOf(ray));
-  setNarrow(found);
   found.IsWide = isWide(code, footprint);
   if (found.IsWide)
   {
@@ -135,12 +134,9 @@ void walkSmooth(inout Ray ray, float reach, float stride, inout vec4 sum)
     if (stored.a > 0.0)
 #endif
     {
-      Sample found;
+      Sample found = noSample();
       setSurface(found, int(stored.a));
       lookUpPlace(place, stored, found);
-#ifdef PAINT_FILTER
-      setNarrow(found);
-#endif
       add(ray, found, place, sum);
     }
 #ifdef EMPTY_CELLS
@@ -172,7 +168,7 @@ bool walkPlain(inout Ray ray, inout vec4 sum)
     }
 #endif
     bool isSeam = stored.x > SEAM;
-    Sample found;
+    Sample found = noSample();
     setSurface(found, isSeam ? stored.x - SEAM : stored.x);
     lookUpPlain(ivec3(cell), place - cell, isSeam, found);
     if (stored.x < EMPTY)
@@ -201,7 +197,7 @@ void walkSplits(inout Ray ray, inout vec4 sum)
     {
       break;
     }
-    Sample found;
+    Sample found = noSample();
     if (lookUpSplit(ivec3(cell), place - cell, stored.x == SPLIT_BY_WAYS, found))
     {
       addSized(ray, found, stored.y, place, sum);
@@ -230,7 +226,7 @@ void walkCells(inout Ray ray, vec3 inverse, inout vec4 sum)
     }
     else
     {
-      Sample found;
+      Sample found = noSample();
       if (lookUpCell(place, cell, stored.x, true, found))
       {
         addSized(ray, found, stored.y, place, sum);
