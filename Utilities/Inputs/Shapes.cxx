@@ -4,6 +4,7 @@
 #include "vtkAppendPolyData.h"
 #include "vtkCardinalSpline.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCleanPolyData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -72,20 +73,19 @@ vtkSmartPointer<vtkPolyData> MakeLine(const std::vector<Place3>& places)
 vtkSmartPointer<vtkPolyData> Finish(vtkPolyData* shape, double sharp)
 {
   shape->GetPointData()->Initialize();
+  shape->GetCellData()->Initialize();
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputData(shape);
-  triangles->PassLinesOff();
-  triangles->PassVertsOff();
   vtkNew<vtkCleanPolyData> clean;
   clean->SetInputConnection(triangles->GetOutputPort());
   clean->SetTolerance(1e-7);
+  clean->Update();
   // What collapses to a line or a point goes.
-  vtkNew<vtkTriangleFilter> whole;
-  whole->SetInputConnection(clean->GetOutputPort());
-  whole->PassLinesOff();
-  whole->PassVertsOff();
+  vtkPolyData* whole = clean->GetOutput();
+  whole->SetVerts(nullptr);
+  whole->SetLines(nullptr);
   vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputConnection(whole->GetOutputPort());
+  normals->SetInputData(whole);
   normals->SetFeatureAngle(sharp);
   normals->ConsistencyOn();
   normals->AutoOrientNormalsOn();
