@@ -15,7 +15,8 @@ namespace reference
 /// warning; errors in shaders are told by other means.
 inline void MuteShaderCompiler(vtkRenderWindow* window)
 {
-  window->Start();
+  vtkOpenGLRenderWindow::SafeDownCast(window)->Initialize();
+  window->MakeCurrent();
   if (glDebugMessageControl)
   {
     glDebugMessageControl(
