@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Runs ctest over several build folders and says at the end what came out. Needs common.sh.
+# Runs ctest over several build folders, says at the end what came out, and writes it to results.json
+# beside the logs. Needs common.sh and paraview.sh.
 
 result_names=()
+result_runs=()
 failed_runs=0
 left_out=
 
@@ -13,8 +15,22 @@ run_tests()
   say "Testing: $name"
   mkdir -p "$log_dir"
   result_names+=("$name")
+  result_runs+=("$name:$folder:$(tested_version "$name")")
   with_display ctest --test-dir "$folder" --parallel "$jobs" --output-on-failure \
     --no-tests=error "$@" 2>&1 | tee "$log_dir/test-$name.log" || failed_runs=$((failed_runs + 1))
+}
+
+# Prints the program whose version tells runs of a name apart: ParaView, or VTK and its window.
+tested_version()
+{
+  local version
+  if [ "$1" = paraview ]; then
+    version=$(paraview_version)
+    printf 'ParaView %s' "${version%%[+-]*}"
+  else
+    version=$(dpkg-query -W -f '${Version}' libvtk9-dev)
+    printf 'VTK %s%s' "${version%%[+-]*}" "${window:+, $window}"
+  fi
 }
 
 # leave_out WHAT WHY: is said at once, and again among the results; nothing fails by it.
@@ -35,6 +51,8 @@ report_results()
       sed -e '/^Label Time Summary/,/^$/d' -e '/^$/d' -e 's/^/  /'
   done
   printf '%s' "$left_out"
+  python3 "$source_dir/Utilities/lib/write_results.py" "$log_dir/results.json" "$log_dir" \
+    "g++ $(g++ -dumpfullversion)" "${result_runs[@]}"
   if [ "$failed_runs" -ne 0 ]; then
     printf '%d of %d test runs failed\n' "$failed_runs" "${#result_names[@]}"
     return 1
