@@ -579,7 +579,8 @@ std::vector<vtkProp*> SceneRenderer::TakeUnreached()
     // An actor with levels of detail draws by others of its own, and VTK's mappers of polygons ask
     // for shaders wherever they have something to draw.
     const bool isForeign = mapper && !mapper->IsA("vtkOpenGLPolyDataMapper") &&
-      !prop->IsA("vtkLODActor") && this->Reached.count(prop) == 0;
+      !mapper->IsA("vtkCompositePolyDataMapper") && !prop->IsA("vtkLODActor") &&
+      this->Reached.count(prop) == 0;
     if ((isForeign || this->Failed.count(prop) > 0) && this->Named.insert(prop).second)
     {
       unreached.push_back(prop);
