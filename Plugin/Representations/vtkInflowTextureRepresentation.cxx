@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInflowTextureRepresentation.h"
 
+#include "vtkCroppingPlanes.h"
 #include "vtkTextureImage.h"
 
 #include "vtkImageData.h"
@@ -12,6 +13,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkTexture.h"
+#include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -178,6 +180,8 @@ int vtkInflowTextureRepresentation::RequestData(
 void vtkInflowTextureRepresentation::UpdateMapperParameters()
 {
   this->Superclass::UpdateMapperParameters();
+  vtkCroppingPlanes(
+    this->VolumeMapper, this->DataBounds, this->CroppingOrigin, this->CroppingScale);
   // ParaView's volume draws nothing unless the mapper has an array that is there; this mapper takes
   // its arrays by their names, and says itself which of them are missing.
   this->Mapper->SetScalarModeToUsePointFieldData();

@@ -2,6 +2,7 @@
 #include "vtkLitVolumeRepresentation.h"
 
 #include "vtkAreaLight.h"
+#include "vtkCroppingPlanes.h"
 #include "vtkProjectiveLight.h"
 #include "vtkTextureImage.h"
 
@@ -9,6 +10,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
 #include "vtkTexture.h"
+#include "vtkVolumeMapper.h"
 
 vtkStandardNewMacro(vtkLitVolumeRepresentation);
 
@@ -185,6 +187,8 @@ bool vtkLitVolumeRepresentation::RemoveFromView(vtkView* view)
 void vtkLitVolumeRepresentation::UpdateMapperParameters()
 {
   this->Superclass::UpdateMapperParameters();
+  vtkCroppingPlanes(
+    this->VolumeMapper, this->DataBounds, this->CroppingOrigin, this->CroppingScale);
   this->Projector->SetImage(vtkTextureImage(this->ProjectorImage));
   this->Lamp->SetEmitter(vtkTextureImage(this->LampImage));
 }

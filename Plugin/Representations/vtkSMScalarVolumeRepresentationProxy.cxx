@@ -10,6 +10,7 @@
 #include "vtkPVArrayInformation.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMPVRepresentationProxy.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMSessionProxyManager.h"
@@ -39,6 +40,18 @@ bool HasFunctions(vtkSMProxy* display)
 {
   return vtkSMPropertyHelper(display, "LookupTable", true).GetAsProxy() &&
     vtkSMPropertyHelper(display, "ScalarOpacityFunction", true).GetAsProxy();
+}
+
+/// Takes over where a display has the data, if it calls that Translation, as from ParaView 5.12 on:
+/// what it calls Position reaches the representation by itself.
+void FollowTranslation(vtkSMProxy* representation, vtkSMProxy* display)
+{
+  vtkSMProperty* translation = display->GetProperty("Translation");
+  if (translation)
+  {
+    representation->GetProperty("Position")->Copy(translation);
+    representation->UpdateVTKObjects();
+  }
 }
 }
 
@@ -76,6 +89,7 @@ void vtkSMScalarVolumeRepresentationProxy::FollowDisplay()
     return;
   }
   this->IsFollowing = true;
+  FollowTranslation(this, display);
   const bool isRestoring = IsRestoring(display);
   const bool wasShown = this->IsShown;
   this->IsShown = vtkSMPropertyHelper(display, "Representation").GetAsString() == this->Type;
