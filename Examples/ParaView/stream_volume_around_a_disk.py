@@ -30,7 +30,7 @@ colored = ResampleWithDataset(SourceDataArrays=disk, DestinationMesh=bundles, Pa
 display = Show(colored, view)
 ColorBy(display, ("POINTS", "Temp"))
 colors = GetColorTransferFunction("Temp")
-colors.ApplyPreset("Inferno (matplotlib)", True)
+colors.ApplyPreset("Black-Body Radiation", True)
 colors.RescaleTransferFunction(0, 950)  # lighter than black where gas is cold, at 293 K
 view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0.35, -1, 0.3], [0, 0, 0], [0, 0, 1]
 ResetCamera(view)

@@ -35,6 +35,10 @@ set(piece_shadows_file "${CMAKE_CURRENT_BINARY_DIR}/piece_shadows.npz")
 set(flow_pieces_file "${CMAKE_CURRENT_BINARY_DIR}/flow_pieces.npz")
 set(server_file "${CMAKE_CURRENT_BINARY_DIR}/server.npz")
 
+# ParaView 6.1, without the plugin too, warns of textures that it leaves active where it has drawn two
+# views: "There are still active textures", "Leaked for texture object".
+set(plugin_failures "ERR\\|;WARN\\| +[^TL ];ERROR: ;Warning: ;Traceback")
+
 # plugin_test(NAME LABELS COMMAND...)
 function (plugin_test name labels)
   add_test(NAME ${name} COMMAND ${ARGN})
@@ -42,7 +46,7 @@ function (plugin_test name labels)
     LABELS "${labels}"
     TIMEOUT 300
     ENVIRONMENT "${plugin_environment}"
-    FAIL_REGULAR_EXPRESSION "ERR\\|;WARN\\|;ERROR: ;Warning: ;Traceback")
+    FAIL_REGULAR_EXPRESSION "${plugin_failures}")
 endfunction ()
 
 set(script "${CMAKE_CURRENT_SOURCE_DIR}")

@@ -13,6 +13,7 @@ import re
 import shutil
 
 import numpy
+from paraview import servermanager
 
 from newcomer_client import play, python
 from newcomer_uses import sessions
@@ -89,7 +90,9 @@ def main():
     arguments = parser.parse_args()
     folder = os.path.realpath(arguments.folder)
     os.makedirs(folder, exist_ok=True)
-    baselines = data_path("Baseline/newcomer")
+    # Background and colours of ParaView's own are others from 6 on.
+    major = servermanager.vtkSMProxyManager.GetVersionMajor()
+    baselines = data_path("Baseline/newcomer" if major < 6 else f"Baseline/newcomer-{major}")
     write = bool(os.environ.get("INTERLUME_WRITE_BASELINES"))
     if write:
         os.makedirs(baselines, exist_ok=True)

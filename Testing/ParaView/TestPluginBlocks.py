@@ -108,7 +108,6 @@ def check_images(checks):
     one.SetBlock(0, whole)
     for name, data, warnings in (("one", one, 0), ("with a gap", blocks(image, gap=0.5), 1)):
         view, display = show(producer(data), "Outline")
-        active = [simple.GetRepresentation(view=view).GetClientSideObject()]
         display.SetRepresentationType("Shadowed Slices")
         active = display.GetClientSideObject().GetActiveRepresentation()
         messages = []

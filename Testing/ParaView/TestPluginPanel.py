@@ -160,6 +160,8 @@ def main():
         view = plain_view()
         display = simple.Show(source, view)
         display.SetRepresentationType(representation)
+        if display.SMProxy.GetProperty("Translation"):
+            values["Translation"] = values.pop("Position")  # as ParaView calls it from 5.12 on
         shown = controls(display, representation) - WITHOUT_PICTURE
         simple.Delete(view)
         checks.equal(sorted(shown - set(values)), [], f"{representation}, controls without effect")
