@@ -31,7 +31,7 @@ bool IsPositive(const nlohmann::json& row, const char* field)
 void CheckRow(const nlohmann::json& row)
 {
   static const std::set<std::string> Fields = { "suite", "case", "method", "parameter", "error",
-    "error_norm", "seconds", "peer", "peer_seconds", "ratio", "counts" };
+    "error_norm", "seconds", "runs", "peer", "peer_seconds", "peer_runs", "ratio", "counts" };
   const std::string text = row.dump();
   for (const auto& field : row.items())
   {
@@ -50,12 +50,12 @@ void CheckRow(const nlohmann::json& row)
   }
   if (row.contains("seconds"))
   {
-    Expect(IsPositive(row, "seconds"), "no time in " + text);
+    Expect(IsPositive(row, "seconds") && IsPositive(row, "runs"), "no time in " + text);
   }
   if (row.contains("peer"))
   {
     Expect(row.contains("seconds") && row.contains("peer_seconds") && row.contains("ratio") &&
-        IsPositive(row, "peer_seconds") &&
+        IsPositive(row, "peer_seconds") && IsPositive(row, "peer_runs") &&
         std::abs(row["ratio"].get<double>() * row["seconds"].get<double>() -
           row["peer_seconds"].get<double>()) < 1e-9,
       "ratio is not peer_seconds / seconds in " + text);
@@ -143,10 +143,16 @@ int main(int argc, char* argv[])
     Expect(results.at("machine").contains(field), std::string("machine without ") + field);
   }
   Expect(results.at("vtk").is_string(), "no vtk");
+  const auto& conditions = results.at("conditions");
+  Expect(conditions.at("size") == "tiny" && conditions.at("threads") > 0 &&
+      conditions.at("date").get<std::string>().size() == 10,
+    "not these conditions: " + conditions.dump());
   Expect(!results.at("rows").empty(), "no rows");
   for (const auto& row : results.at("rows"))
   {
     CheckRow(row);
+    const std::string suite = row.value("suite", "");
+    Expect(results.at("suites").contains(suite), "nothing said of the suite " + suite);
   }
   CheckMethods(results.at("rows"));
   return Right ? EXIT_SUCCESS : EXIT_FAILURE;

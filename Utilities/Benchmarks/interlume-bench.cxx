@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Measures Interlume against VTK's own filters; see --help.
+#include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Report/PlotDrawer.h"
 #include "Benchmarks/Report/ReportPage.h"
 #include "Benchmarks/Results/BenchMachine.h"
@@ -13,6 +14,7 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -72,8 +74,15 @@ void Define(CLI::App& app, Arguments& arguments, const std::vector<std::string>&
 void Run(const BenchSuite& suite, const BenchOptions& options, BenchResults& results)
 {
   BenchRows rows(suite.GetName());
-  suite.Run(options, rows);
+  const BenchSeconds took = TimeOnce(
+    [&]()
+    {
+      suite.Run(options, rows);
+      return vtkSmartPointer<vtkObjectBase>();
+    });
   results.Rows.insert(results.Rows.end(), rows.Get().begin(), rows.Get().end());
+  results.Suites[suite.GetName()]["took"] = std::round(took);
+  results.SetClaims(suite.GetName(), suite.CheckClaims(rows.Get()));
 }
 
 const BenchSuite& Find(const Suites& suites, const std::string& name)
@@ -84,8 +93,8 @@ const BenchSuite& Find(const Suites& suites, const std::string& name)
 
 void WriteReport(const Suites& suites, const Arguments& arguments)
 {
-  BenchResults results =
-    arguments.From.empty() ? BenchResults::Here() : BenchResults::Read(arguments.From);
+  BenchResults results = arguments.From.empty() ? BenchResults::Here(arguments.Options)
+                                                : BenchResults::Read(arguments.From);
   const PlotDrawer drawer(arguments.Out, MachineInOneLine(results.Machine, results.Vtk));
   if (arguments.From.empty())
   {
@@ -110,7 +119,7 @@ void WriteReport(const Suites& suites, const Arguments& arguments)
 
 void RunSuites(const Suites& suites, const Arguments& arguments)
 {
-  BenchResults results = BenchResults::Here();
+  BenchResults results = BenchResults::Here(arguments.Options);
   std::unique_ptr<PlotDrawer> drawer;
   if (!arguments.Plots.empty())
   {

@@ -9,6 +9,7 @@
 #include "vtkCameraPass.h"
 #include "vtkFramebufferPass.h"
 #include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkLightsPass.h"
 #include "vtkOpaquePass.h"
 #include "vtkPixelBufferObject.h"
@@ -76,8 +77,19 @@ void VolumeStage::AddActor(vtkActor* actor)
 
 void VolumeStage::SetLights(const std::vector<vtkSmartPointer<vtkLight>>& lights)
 {
-  this->Renderer->RemoveAllLights();
   this->Renderer->AutomaticLightCreationOff();
+  vtkLightCollection* present = this->Renderer->GetLights();
+  bool isSame = present->GetNumberOfItems() == static_cast<int>(lights.size());
+  for (std::size_t i = 0; isSame && i < lights.size(); ++i)
+  {
+    isSame = present->GetItemAsObject(static_cast<int>(i)) == lights[i].Get();
+  }
+  if (isSame)
+  {
+    // A collection that is emptied and filled counts as changed, for which VTK makes shaders anew.
+    return;
+  }
+  this->Renderer->RemoveAllLights();
   for (vtkLight* light : lights)
   {
     this->Renderer->AddLight(light);

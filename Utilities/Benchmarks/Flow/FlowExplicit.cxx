@@ -170,7 +170,7 @@ void AddImplicit(
   row.Parameter = samples;
   row.Seconds = TimeOnce(work);
   row.Counts["streamlines"] = pipeline.Field->GetReport().Samples;
-  const double seconds = MeasureAlternately({ again }, options.GetRepeats()).front();
+  const BenchSeconds seconds = MeasureAlternately({ again }, options.GetRepeats()).front();
   TubeErrors errors(tube);
   errors.AddTetrahedra(pipeline.Volume->GetOutput());
   // Not part of the time, as the sides of the explicit volume are not.

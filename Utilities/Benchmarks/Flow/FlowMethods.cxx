@@ -28,6 +28,14 @@ double GetLargestSpeed(const Case& what)
 {
   return what.Field->GetPointData()->GetVectors()->GetMaxNorm();
 }
+
+/// Where ours ends; what follows would be steps for nothing.
+bool HasLeftBox(void* bounds, vtkPoints* points, vtkDataArray*, int)
+{
+  const vtkIdType number = points->GetNumberOfPoints();
+  return number > 0 &&
+    !vtkBoundingBox(static_cast<const double*>(bounds)).ContainsPoint(points->GetPoint(number - 1));
+}
 }
 
 vtkSmartPointer<vtkImplicitFlowField> NewAdvection(
@@ -82,7 +90,7 @@ Answer ReadAdvection(const Case& what, vtkImplicitFlowField* filter)
   return answer;
 }
 
-double RunOnce(vtkAlgorithm* filter)
+BenchSeconds RunOnce(vtkAlgorithm* filter)
 {
   return TimeOnce(WithThreads(1,
     [filter]()
@@ -123,7 +131,19 @@ vtkSmartPointer<vtkStreamTracer> NewTracer(const Case& what, const TracerSetting
   tracer->SetMaximumPropagation(LongestWay);
   tracer->SetTerminalSpeed(1e-9 * GetLargestSpeed(what));
   tracer->SetComputeVorticity(false);
+  tracer->AddCustomTerminationCallback(&HasLeftBox, const_cast<double*>(what.Box.data()),
+    vtkStreamTracer::FIXED_REASONS_FOR_TERMINATION_COUNT);
   return tracer;
+}
+
+BenchWork MakeTracing(const Case& what, const TracerSettings& settings)
+{
+  return [&what, settings]()
+  {
+    const auto tracer = NewTracer(what, settings);
+    tracer->Update();
+    return vtkSmartPointer<vtkObjectBase>(tracer);
+  };
 }
 
 Answer ReadTracer(const Case& what, vtkStreamTracer* tracer)

@@ -4,6 +4,7 @@
 
 #include "Benchmarks/Flow/FlowCases.h"
 #include "Benchmarks/Flow/VelocityInterpolation.h"
+#include "Benchmarks/Measures/BenchTiming.h"
 
 #include "vtkImplicitFlowField.h"
 #include "vtkSmartPointer.h"
@@ -53,7 +54,7 @@ vtkSmartPointer<vtkImplicitFlowField> NewAdvection(
 Answer ReadAdvection(const Case& what, vtkImplicitFlowField* filter);
 
 /// Wall seconds of an update by one thread.
-double RunOnce(vtkAlgorithm* filter);
+BenchSeconds RunOnce(vtkAlgorithm* filter);
 
 /// How vtkStreamTracer is set.
 struct TracerSettings
@@ -69,10 +70,12 @@ struct TracerSettings
 };
 
 /**
- * vtkStreamTracer from the seeds until it leaves the field, without vorticity, not yet run. Its
- * answers are its last points inside the box.
+ * vtkStreamTracer from the seeds until a step ends outside of the box, without vorticity, not yet
+ * run. Its answers are its last points inside the box. \a what has to outlive it.
  */
 vtkSmartPointer<vtkStreamTracer> NewTracer(const Case& what, const TracerSettings& settings);
+/// A new one at each run.
+BenchWork MakeTracing(const Case& what, const TracerSettings& settings);
 Answer ReadTracer(const Case& what, vtkStreamTracer* tracer);
 }
 

@@ -32,7 +32,7 @@ constexpr double TracerRounding = 3e-8;
 struct Trial
 {
   double Parameter = 0.0;
-  double Seconds = 0.0;
+  BenchSeconds Seconds;
   Answer Found;
   Difference Apart;
 };
@@ -55,16 +55,6 @@ BenchWork MakeAgain(vtkImplicitFlowField* filter)
     filter->Modified();
     filter->Update();
     return vtkSmartPointer<vtkObjectBase>(filter);
-  };
-}
-
-BenchWork MakeTracer(const Case& what, const TracerSettings& settings)
-{
-  return [&what, settings]()
-  {
-    const auto tracer = NewTracer(what, settings);
-    tracer->Update();
-    return vtkSmartPointer<vtkObjectBase>(tracer);
   };
 }
 
@@ -168,11 +158,11 @@ private:
       this->AddAgain(own, settings, other);
     }
     ProcessorClock clocks[4];
-    const std::vector<double> seconds = MeasureAlternately(
+    const std::vector<BenchSeconds> seconds = MeasureAlternately(
       { WithThreads(1, clocks[0].Watch(MakeAdvection(this->What, DefaultTolerance))),
-        clocks[1].Watch(MakeTracer(this->What, settings)),
+        clocks[1].Watch(MakeTracing(this->What, settings)),
         clocks[2].Watch(MakeAdvection(one, DefaultTolerance)),
-        clocks[3].Watch(MakeTracer(one, settings)) },
+        clocks[3].Watch(MakeTracing(one, settings)) },
       3);
     const double processor = clocks[0].Take();
     const double peerProcessor = clocks[1].Take();
@@ -190,10 +180,10 @@ private:
     row.Counts["steps_per_second"] = rate;
     row.Counts["samples_per_second"] = samples / seconds[0];
     row.Counts["processor_seconds"] = processor;
-    row.Counts["setup_seconds"] = seconds[2];
+    row.Counts["setup_seconds"] = seconds[2].Value;
     row.Counts["time_error"] = own.Apart.Time;
     row.Counts["peer_processor_seconds"] = peerProcessor;
-    row.Counts["peer_setup_seconds"] = seconds[3];
+    row.Counts["peer_setup_seconds"] = seconds[3].Value;
     row.Counts["peer_parameter"] = other.Parameter;
     row.Counts["peer_error"] = other.Apart.Mean;
     row.Counts["peer_time_error"] = other.Apart.Time;
@@ -210,9 +200,9 @@ private:
     const auto known = NewAdvection(this->What, vtkImplicitFlowField::AUTOMATIC, DefaultTolerance);
     known->Update();
     ProcessorClock clocks[2];
-    const std::vector<double> seconds =
+    const std::vector<BenchSeconds> seconds =
       MeasureAlternately({ WithThreads(1, clocks[0].Watch(MakeAgain(known))),
-                           WithThreads(1, clocks[1].Watch(MakeTracer(this->What, settings))) },
+                           WithThreads(1, clocks[1].Watch(MakeTracing(this->What, settings))) },
         3);
     BenchRow row = this->Rows.Make(this->What.Name, Again);
     row.Parameter = DefaultTolerance;
@@ -221,8 +211,8 @@ private:
     row.Seconds = seconds[0];
     row.Peer = std::string(Peer) + "-" + settings.GetName();
     row.PeerSeconds = seconds[1];
-    row.Counts["processor_seconds"] = clocks[0].Take();
-    row.Counts["peer_processor_seconds"] = clocks[1].Take();
+    row.Counts["processor_seconds"] = clocks[0].Take().Value;
+    row.Counts["peer_processor_seconds"] = clocks[1].Take().Value;
     row.Counts["kept_faces"] = known->GetReport().KeptFaces;
     row.Counts["peer_error"] = other.Apart.Mean;
     this->Rows.Add(row);

@@ -31,8 +31,17 @@ struct OwnTrial
   BenchRow Row;
 };
 
-/// Median times, all trials in turn; a stiff case takes seconds, and is run once.
-void Measure(const FieldCase& field, const BenchOptions& options, std::vector<OwnTrial>& trials)
+/// vtkStreamTracer at one of its settings.
+struct PeerTrial
+{
+  TracerSettings Settings;
+  BenchRow Row;
+};
+
+/// Median times, all trials in turn and those of the peer with them, after a run of each that is
+/// not counted; a stiff case takes seconds, is run once, and has no peer.
+void Measure(const FieldCase& field, const BenchOptions& options, std::vector<OwnTrial>& trials,
+  std::vector<PeerTrial>& peers)
 {
   std::vector<BenchWork> works;
   for (OwnTrial& trial : trials)
@@ -50,10 +59,18 @@ void Measure(const FieldCase& field, const BenchOptions& options, std::vector<Ow
   {
     return;
   }
-  const std::vector<double> seconds = MeasureAlternately(works, options.GetRepeats());
+  for (const PeerTrial& trial : peers)
+  {
+    works.push_back(WithThreads(1, MakeTracing(field.What, trial.Settings)));
+  }
+  const std::vector<BenchSeconds> seconds = MeasureAlternately(works, options.GetRepeats());
   for (std::size_t i = 0; i < trials.size(); ++i)
   {
     trials[i].Row.Seconds = seconds[i];
+  }
+  for (std::size_t i = 0; i < peers.size(); ++i)
+  {
+    peers[i].Row.Seconds = seconds[trials.size() + i];
   }
 }
 
@@ -78,7 +95,8 @@ void SetErrors(const FieldCase& field, const BenchOptions& options, const Answer
   }
 }
 
-void AddOwnRows(const FieldCase& field, const BenchOptions& options, BenchRows& rows)
+std::vector<OwnTrial> MakeOwnTrials(
+  const FieldCase& field, const BenchOptions& options, const BenchRows& rows)
 {
   const std::vector<double> all = { 1e-3, 1e-4, 1e-5, ClaimedTolerance, 1e-7, 1e-8, 1e-9, 1e-10 };
   const std::vector<double> some = { 1e-3, ClaimedTolerance, 1e-8, 1e-10 };
@@ -99,7 +117,12 @@ void AddOwnRows(const FieldCase& field, const BenchOptions& options, BenchRows& 
       trials.back().Row.Parameter = tolerance;
     }
   }
-  Measure(field, options, trials);
+  return trials;
+}
+
+void AddOwnRows(const FieldCase& field, const BenchOptions& options, std::vector<OwnTrial>& trials,
+  BenchRows& rows)
+{
   for (OwnTrial& trial : trials)
   {
     BenchRow& row = trial.Row;
@@ -115,12 +138,14 @@ void AddOwnRows(const FieldCase& field, const BenchOptions& options, BenchRows& 
   }
 }
 
-void AddPeerRows(const FieldCase& field, const BenchOptions& options, BenchRows& rows)
+std::vector<PeerTrial> MakePeerTrials(
+  const FieldCase& field, const BenchOptions& options, const BenchRows& rows)
 {
   const auto steps = options.Pick<std::vector<double>>(
     { 0.5, 0.25, 0.125, 0.0625, 0.03125 }, { 0.5, 0.125 }, { 0.5, 0.25 });
   const auto errors = options.Pick<std::vector<double>>(
     { 1e-4, 1e-6, 1e-8, 1e-10, 1e-12 }, { 1e-5, 1e-8 }, { 1e-5, 1e-7 });
+  std::vector<PeerTrial> trials;
   for (const int integrator : { vtkStreamTracer::RUNGE_KUTTA4, vtkStreamTracer::RUNGE_KUTTA45 })
   {
     for (const double parameter : integrator == vtkStreamTracer::RUNGE_KUTTA45 ? errors : steps)
@@ -128,15 +153,24 @@ void AddPeerRows(const FieldCase& field, const BenchOptions& options, BenchRows&
       TracerSettings settings;
       settings.Integrator = integrator;
       settings.Parameter = parameter;
-      const auto tracer = NewTracer(field.What, settings);
-      BenchRow row = rows.Make(field.What.Name, settings.GetName());
-      row.Parameter = parameter;
-      row.Seconds = RunOnce(tracer);
-      const Answer answer = ReadTracer(field.What, tracer);
-      SetErrors(field, options, answer, 0.0, row);
-      row.Counts["steps"] = answer.Steps;
-      rows.Add(row);
+      trials.push_back({ settings, rows.Make(field.What.Name, settings.GetName()) });
+      trials.back().Row.Parameter = parameter;
     }
+  }
+  return trials;
+}
+
+void AddPeerRows(const FieldCase& field, const BenchOptions& options,
+  std::vector<PeerTrial>& trials, BenchRows& rows)
+{
+  for (PeerTrial& trial : trials)
+  {
+    const auto tracer = NewTracer(field.What, trial.Settings);
+    tracer->Update();
+    const Answer answer = ReadTracer(field.What, tracer);
+    SetErrors(field, options, answer, 0.0, trial.Row);
+    trial.Row.Counts["steps"] = answer.Steps;
+    rows.Add(trial.Row);
   }
 }
 
@@ -182,11 +216,15 @@ void AddToleranceRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const FieldCase& field : MakeFieldCases(options))
   {
-    AddOwnRows(field, options, rows);
+    std::vector<OwnTrial> own = MakeOwnTrials(field, options, rows);
+    std::vector<PeerTrial> peers;
     if (!field.IsStiff)
     {
-      AddPeerRows(field, options, rows);
+      peers = MakePeerTrials(field, options, rows);
     }
+    Measure(field, options, own, peers);
+    AddOwnRows(field, options, own, rows);
+    AddPeerRows(field, options, peers, rows);
   }
 }
 

@@ -81,10 +81,10 @@ private:
   bool IsLate = false;
 };
 
-double AddSamples(
+BenchSeconds AddSamples(
   const std::string& name, Volumes& volumes, const BenchOptions& options, BenchRows& rows)
 {
-  const double seconds = TimeOnce(WithThreads(options.Threads,
+  const BenchSeconds seconds = TimeOnce(WithThreads(options.Threads,
     [&]()
     {
       volumes.Field->Update();
@@ -113,8 +113,8 @@ struct Change
   std::function<void()> Apply;
 };
 
-void AddChanges(const std::string& name, Volumes& volumes, double advection, int threads,
-  const BenchOptions& options, BenchRows& rows)
+void AddChanges(const std::string& name, Volumes& volumes, const BenchSeconds& advection,
+  int threads, const BenchOptions& options, BenchRows& rows)
 {
   const Change changes[] = {
     { NewMapping, volumes.Whole, [&]() { volumes.ChangeMapping(); } },
@@ -151,7 +151,7 @@ void AddVolumeRows(const BenchOptions& options, BenchRows& rows)
   const int samples = options.Pick(128, 32, 8);
   const std::string name = "hurricane-" + std::to_string(samples);
   Volumes volumes(samples);
-  const double advection = AddSamples(name, volumes, options, rows);
+  const BenchSeconds advection = AddSamples(name, volumes, options, rows);
   for (const int threads : options.GetThreadCounts())
   {
     AddChanges(name, volumes, advection, threads, options, rows);

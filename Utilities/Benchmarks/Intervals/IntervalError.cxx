@@ -117,7 +117,7 @@ double SurfaceDistance(
   return sums.GetRootMeanSquare();
 }
 
-std::vector<double> TimeMethods(
+std::vector<BenchSeconds> TimeMethods(
   const std::vector<Method>& all, const AnalyticCase& analytic, const BenchOptions& options)
 {
   std::vector<BenchWork> works;
@@ -141,7 +141,7 @@ void AddErrorRows(
   const TrilinearRegion region(image);
   const double exact = region.GetVolume(analytic.Lower, analytic.Upper);
   const std::vector<Method> all = MakeMethods(image);
-  const std::vector<double> seconds = TimeMethods(all, analytic, options);
+  const std::vector<BenchSeconds> seconds = TimeMethods(all, analytic, options);
   for (std::size_t i = 0; i < all.size(); ++i)
   {
     const Method& method = all[i];

@@ -62,8 +62,8 @@ nlohmann::ordered_json MeasureFirstUse(int cellType, const BenchOptions& options
   const BenchWork work = [&data]()
   { return methods::IntervalVolume(data.Data, data.Lower, data.Upper); };
   nlohmann::ordered_json json;
-  json["cold"] = TimeOnce(work);
-  json["warm"] = TimeOnce(work);
+  json["cold"] = TimeOnce(work).Value;
+  json["warm"] = TimeOnce(work).Value;
   return json;
 }
 }

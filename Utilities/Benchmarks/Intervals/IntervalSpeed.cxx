@@ -43,7 +43,7 @@ void AddSpeedRows(const BenchData& data, int threads, const BenchOptions& option
     peerTetrahedra = grid->GetNumberOfCells();
     return grid;
   };
-  const std::vector<double> seconds =
+  const std::vector<BenchSeconds> seconds =
     MeasureAlternately({ WithThreads(threads, ours), WithThreads(threads, clip2),
                          WithThreads(threads, clip2Tetrahedra) },
       options.GetRepeats());
@@ -84,7 +84,7 @@ void AddReExtractionRow(const BenchData& data, const std::string& place,
     filter->Update();
     return vtkSmartPointer<vtkObjectBase>(filter->GetOutput());
   };
-  const std::vector<double> seconds =
+  const std::vector<BenchSeconds> seconds =
     MeasureAlternately({ WithThreads(1, [&]() { return changed(indexed); }),
                          WithThreads(1, [&]() { return changed(plain); }) },
       options.GetRepeats());

@@ -56,7 +56,7 @@ void AddRows(const BenchRow& common, int threads, const std::vector<std::string>
     work = WithThreads(threads, work);
   }
   // Short runs: three times as many to have a steady median.
-  const std::vector<double> seconds = MeasureAlternately(works, 3 * options.GetRepeats());
+  const std::vector<BenchSeconds> seconds = MeasureAlternately(works, 3 * options.GetRepeats());
   for (std::size_t i = 0; i < peers.size(); ++i)
   {
     BenchRow row = common;

@@ -111,9 +111,9 @@ void SuiteInterval::AddFirstUseRows(const BenchOptions& options, BenchRows& rows
       warm.push_back(seconds.at("warm"));
     }
     BenchRow row = rows.Make(MakeRandomCells(type, 0, options.Seed).Case, "cold");
-    row.Seconds = Median(cold);
+    row.Seconds = MedianOf(cold);
     row.Peer = "warm";
-    row.PeerSeconds = Median(warm);
+    row.PeerSeconds = MedianOf(warm);
     rows.Add(row);
   }
 }

@@ -6,15 +6,15 @@
 #include <algorithm>
 #include <chrono>
 
-double TimeOnce(const BenchWork& work)
+BenchSeconds TimeOnce(const BenchWork& work)
 {
   const auto begin = std::chrono::steady_clock::now();
   const vtkSmartPointer<vtkObjectBase> result = work();
   const auto end = std::chrono::steady_clock::now();
-  return std::chrono::duration<double>(end - begin).count();
+  return { std::chrono::duration<double>(end - begin).count(), 1 };
 }
 
-std::vector<double> MeasureAlternately(const std::vector<BenchWork>& works, int repeats)
+std::vector<BenchSeconds> MeasureAlternately(const std::vector<BenchWork>& works, int repeats)
 {
   for (const BenchWork& work : works)
   {
@@ -28,10 +28,10 @@ std::vector<double> MeasureAlternately(const std::vector<BenchWork>& works, int 
       times[i].push_back(TimeOnce(works[i]));
     }
   }
-  std::vector<double> medians;
+  std::vector<BenchSeconds> medians;
   for (const std::vector<double>& ofOne : times)
   {
-    medians.push_back(Median(ofOne));
+    medians.push_back(MedianOf(ofOne));
   }
   return medians;
 }
@@ -59,4 +59,9 @@ double Median(std::vector<double> numbers)
   std::sort(numbers.begin(), numbers.end());
   const std::size_t middle = numbers.size() / 2;
   return numbers.size() % 2 == 1 ? numbers[middle] : 0.5 * (numbers[middle - 1] + numbers[middle]);
+}
+
+BenchSeconds MedianOf(const std::vector<double>& runs)
+{
+  return { Median(runs), static_cast<int>(runs.size()) };
 }

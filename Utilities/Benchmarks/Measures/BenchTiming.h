@@ -2,6 +2,8 @@
 #ifndef BenchTiming_h
 #define BenchTiming_h
 
+#include "Benchmarks/Measures/BenchSeconds.h"
+
 #include "vtkObjectBase.h"
 #include "vtkSmartPointer.h"
 
@@ -18,13 +20,13 @@ using BenchWork = std::function<vtkSmartPointer<vtkObjectBase>()>;
 /**
  * Wall seconds of one run of \a work.
  */
-double TimeOnce(const BenchWork& work);
+BenchSeconds TimeOnce(const BenchWork& work);
 
 /**
  * Median wall seconds of each of \a works: each is run once unmeasured, then all take turns,
  * A B C A B C ..., \a repeats times, so that what else the machine does falls on all alike.
  */
-std::vector<double> MeasureAlternately(const std::vector<BenchWork>& works, int repeats);
+std::vector<BenchSeconds> MeasureAlternately(const std::vector<BenchWork>& works, int repeats);
 
 /**
  * \a work by so many threads of vtkSMPTools, which stays set so afterwards.
@@ -40,5 +42,10 @@ std::string ThreadsParameter(int threads);
  * The middle of \a numbers, or the mean of the two in the middle; 0 for none.
  */
 double Median(std::vector<double> numbers);
+
+/**
+ * The median of the seconds of so many runs.
+ */
+BenchSeconds MedianOf(const std::vector<double>& runs);
 
 #endif

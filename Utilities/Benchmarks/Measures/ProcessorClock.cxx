@@ -14,9 +14,9 @@ BenchWork ProcessorClock::Watch(const BenchWork& work)
   };
 }
 
-double ProcessorClock::Take()
+BenchSeconds ProcessorClock::Take()
 {
-  const double seconds = Median(*this->Seconds);
+  const BenchSeconds seconds = MedianOf(*this->Seconds);
   this->Seconds->clear();
   return seconds;
 }

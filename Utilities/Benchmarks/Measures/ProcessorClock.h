@@ -17,7 +17,7 @@ public:
   BenchWork Watch(const BenchWork& work);
 
   /// Returns the median of the runs since the last call.
-  double Take();
+  BenchSeconds Take();
 
 private:
   std::shared_ptr<std::vector<double>> Seconds = std::make_shared<std::vector<double>>();

@@ -6,7 +6,7 @@
 void MeasureSecondThread(const BenchWork& work, const BenchOptions& options, BenchRow& row)
 {
   // Cheap, and the more runs, the less another process on the machine matters.
-  const std::vector<double> seconds =
+  const std::vector<BenchSeconds> seconds =
     MeasureAlternately({ WithThreads(1, work), WithThreads(2, work) }, 3 * options.GetRepeats());
   row.Seconds = seconds[1];
   row.Peer = "threads-1";

@@ -37,7 +37,7 @@ void AddRows(const Case& what, const BenchOptions& options, BenchRows& rows)
   Drawing actors(actorsAlone, Method::Plain);
   for (const bool isMoving : { false, true })
   {
-    const std::vector<double> seconds = MeasureAlternately(
+    const std::vector<BenchSeconds> seconds = MeasureAlternately(
       { ours.GetFrame(options.Threads, isMoving), volume.GetFrame(options.Threads, isMoving),
         actors.GetFrame(options.Threads, isMoving) },
       options.GetRepeats());
@@ -45,12 +45,12 @@ void AddRows(const Case& what, const BenchOptions& options, BenchRows& rows)
     row.Parameter = CountTriangles(what.Scene);
     row.Seconds = seconds[0];
     row.Peer = "volume + 2 actors";
-    row.PeerSeconds = seconds[1] + 2.0 * seconds[2];
+    row.PeerSeconds = { seconds[1] + 2.0 * seconds[2], seconds[1].Runs };
     row.Counts[OverBudget] = *row.Seconds / *row.PeerSeconds;
     row.Counts["processor_over_budget"] = ours.TakeProcessorSeconds() /
       (volume.TakeProcessorSeconds() + 2.0 * actors.TakeProcessorSeconds());
-    row.Counts["volume_seconds"] = seconds[1];
-    row.Counts["actors_seconds"] = seconds[2];
+    row.Counts["volume_seconds"] = seconds[1].Value;
+    row.Counts["actors_seconds"] = seconds[2].Value;
     row.Counts["depth_maps_drawn"] = ours.GetReport()->DepthMapsDrawn;
     row.Counts["receiver_passes"] = ours.GetReport()->ReceiverPasses;
     row.Counts["slices"] = ours.GetSlices()->GetReport().SlicesDrawn;

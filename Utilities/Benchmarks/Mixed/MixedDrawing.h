@@ -64,7 +64,7 @@ public:
 
   /// The median processor seconds of the frames since the last call, of all threads: what else the
   /// machine does falls on it less than on the time.
-  double TakeProcessorSeconds() { return this->Clock.Take(); }
+  BenchSeconds TakeProcessorSeconds() { return this->Clock.Take(); }
 
   /// Null where another method draws, and where there is no volume.
   const vtkShadowedSceneReport* GetReport() const;

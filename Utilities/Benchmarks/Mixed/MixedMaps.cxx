@@ -48,7 +48,7 @@ void AddMapRows(const BenchOptions& options, BenchRows& rows)
   {
     Drawing ours(what.Scene, Method::ScenePass, resolution);
     Drawing maps(what.Scene, Method::ShadowMaps, resolution);
-    std::array<std::vector<double>, 2> seconds;
+    std::array<std::vector<BenchSeconds>, 2> seconds;
     std::array<double, 2> processor{};
     for (const bool isMoving : { false, true })
     {

@@ -38,7 +38,7 @@ Case MakeRound(const Case& from)
 }
 
 BenchRow MakeSoftRow(const BenchRows& rows, const std::string& name, const char* method,
-  int samples, double seconds, const reference::PictureError& error)
+  int samples, const BenchSeconds& seconds, const reference::PictureError& error)
 {
   BenchRow row = rows.Make(name, method);
   row.Parameter = samples;
@@ -61,7 +61,7 @@ void AddSoftRows(const BenchOptions& options, BenchRows& rows)
   {
     Drawing soft(round.Scene, Method::ScenePass);
     soft.SetNumberOfLightSamples(samples);
-    const std::vector<double> seconds = MeasureAlternately(
+    const std::vector<BenchSeconds> seconds = MeasureAlternately(
       { soft.GetFrame(options.Threads, true), hard.GetFrame(options.Threads, true) },
       options.GetRepeats());
     round.Scene.Lights.front().Light->SetPosition(point.LightPosition.data());

@@ -95,8 +95,10 @@ void ReportPage::Write(const std::string& path) const
        << "<title>Interlume: measurements</title>\n<style>" << Style
        << "</style>\n</head>\n<body>\n<h1>Interlume: measurements</h1>\n<p>"
        << html::Escaped(MachineInOneLine(this->Results.Machine, this->Results.Vtk)) << "; "
-       << html::Escaped(this->Results.Machine.value("system", "")) << ".</p>\n"
-       << "<p>Times are medians of wall time. A method and its peers take turns in the same run; "
+       << html::Escaped(this->Results.Machine.value("system", "")) << "; "
+       << html::Escaped(ConditionsInOneLine(this->Results.Conditions)) << ".</p>\n"
+       << "<p>Times are wall time, medians of as many runs as the column says. A method and its "
+          "peers take turns in the same run; "
           "the ratio is the peer's time divided by the method's: above 1 the method is faster. "
           "The same numbers are in <a href=\"rows.json\">rows.json</a>.</p>\n<nav>";
   for (const BenchRow& row : this->Results.Rows)

@@ -51,6 +51,14 @@ void AddNumber(Cells& cells, const std::string& name, const std::optional<double
   }
 }
 
+void AddRuns(Cells& cells, const std::string& name, const std::optional<BenchSeconds>& seconds)
+{
+  if (seconds)
+  {
+    AddNumber(cells, name, seconds->Runs);
+  }
+}
+
 void AddJson(Cells& cells, const std::string& name, const nlohmann::ordered_json& json)
 {
   if (json.is_number())
@@ -73,8 +81,10 @@ Cells CellsOf(const BenchRow& row)
   AddText(cells, "error norm", row.ErrorNorm);
   AddNumber(cells, "error", row.Error);
   AddNumber(cells, "seconds", row.Seconds);
+  AddRuns(cells, "runs", row.Seconds);
   AddText(cells, "peer", row.Peer);
   AddNumber(cells, "peer seconds", row.PeerSeconds);
+  AddRuns(cells, "peer runs", row.PeerSeconds);
   AddNumber(cells, "ratio", row.GetRatio());
   for (const auto& count : row.Counts.items())
   {
@@ -99,13 +109,6 @@ std::vector<std::string> ColumnsOf(const std::vector<Cells>& rows)
   return columns;
 }
 
-bool IsMet(const html::SuiteClaim& claim)
-{
-  const auto& cases = claim.Claim.Cases;
-  return std::all_of(
-    cases.begin(), cases.end(), [](const BenchClaim::Measured& measured) { return measured.Met; });
-}
-
 std::string Verdict(bool isGood, const std::string& text)
 {
   return isGood ? text : "<span class=\"failed\">" + text + "</span>";
@@ -122,7 +125,7 @@ std::string TableOf(const std::vector<SuiteClaim>& claims)
   }
   std::vector<SuiteClaim> sorted = claims;
   const auto firstMet = std::stable_partition(
-    sorted.begin(), sorted.end(), [](const SuiteClaim& claim) { return !IsMet(claim); });
+    sorted.begin(), sorted.end(), [](const SuiteClaim& claim) { return !claim.Claim.IsMet(); });
   std::ostringstream html;
   html << "<p>" << sorted.end() - firstMet << " of " << sorted.size()
        << " claims are met in every case.</p>\n<div class=\"wide\"><table><tr><th>suite</th>"

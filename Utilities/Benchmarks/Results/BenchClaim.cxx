@@ -3,6 +3,8 @@
 
 #include "Benchmarks/Measures/BenchTiming.h"
 
+#include <algorithm>
+
 namespace
 {
 BenchClaim MakeClaim(const std::string& text, const std::vector<BenchRow>& rows,
@@ -20,6 +22,26 @@ BenchClaim MakeClaim(const std::string& text, const std::vector<BenchRow>& rows,
   }
   return claim;
 }
+}
+
+bool BenchClaim::IsMet() const
+{
+  return std::all_of(
+    this->Cases.begin(), this->Cases.end(), [](const Measured& measured) { return measured.Met; });
+}
+
+nlohmann::ordered_json BenchClaim::ToJson() const
+{
+  nlohmann::ordered_json json;
+  json["text"] = this->Text;
+  json["met"] = this->IsMet();
+  json["cases"] = nlohmann::ordered_json::array();
+  for (const Measured& measured : this->Cases)
+  {
+    json["cases"].push_back(
+      { { "case", measured.Case }, { "number", measured.Number }, { "met", measured.Met } });
+  }
+  return json;
 }
 
 BenchClaim BenchClaim::AtLeast(const std::string& text, double bound,

@@ -25,6 +25,12 @@ struct BenchClaim
   std::string Text;
   std::vector<Measured> Cases;
 
+  /// Whether it is so in every case.
+  bool IsMet() const;
+
+  /// text, met and cases, each with case, number and met.
+  nlohmann::ordered_json ToJson() const;
+
   /**
    * The claim that \a number of every row is at least, or at most, \a bound; rows of which \a
    * number is nothing are not concerned.

@@ -6,6 +6,7 @@
 #include <vtksys/SystemInformation.hxx>
 
 #include <cmath>
+#include <ctime>
 #include <fstream>
 #include <sstream>
 #include <thread>
@@ -57,6 +58,24 @@ nlohmann::ordered_json DescribeMachine()
   return machine;
 }
 
+nlohmann::ordered_json DescribeConditions(const BenchOptions& options)
+{
+  const std::time_t now = std::time(nullptr);
+  char date[16];
+  std::strftime(date, sizeof(date), "%Y-%m-%d", std::gmtime(&now));
+  nlohmann::ordered_json conditions;
+  conditions["date"] = date;
+  conditions["size"] = options.GetSizeName();
+  conditions["threads"] = options.Threads;
+  conditions["seed"] = options.Seed;
+  std::ifstream file("/proc/loadavg");
+  if (double load = 0.0; file >> load)
+  {
+    conditions["load"] = load;
+  }
+  return conditions;
+}
+
 std::string MachineInOneLine(const nlohmann::ordered_json& machine, const std::string& vtk)
 {
   std::ostringstream line;
@@ -64,5 +83,17 @@ std::string MachineInOneLine(const nlohmann::ordered_json& machine, const std::s
        << machine.value("memory_gib", 0.0) << " GiB; VTK " << vtk << ", "
        << machine.value("smp", "") << ", " << machine.value("compiler", "") << " "
        << machine.value("build", "");
+  return line.str();
+}
+
+std::string ConditionsInOneLine(const nlohmann::ordered_json& conditions)
+{
+  std::ostringstream line;
+  line << conditions.value("size", "") << " size, up to " << conditions.value("threads", 0)
+       << " threads, " << conditions.value("date", "");
+  if (conditions.contains("load"))
+  {
+    line << ", load before " << conditions["load"];
+  }
   return line.str();
 }

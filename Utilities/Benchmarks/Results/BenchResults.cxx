@@ -10,11 +10,12 @@
 #include <iterator>
 #include <stdexcept>
 
-BenchResults BenchResults::Here()
+BenchResults BenchResults::Here(const BenchOptions& options)
 {
   BenchResults results;
   results.Machine = DescribeMachine();
   results.Vtk = vtkVersion::GetVTKVersion();
+  results.Conditions = DescribeConditions(options);
   return results;
 }
 
@@ -31,6 +32,8 @@ BenchResults BenchResults::Read(const std::string& path)
     BenchResults results;
     results.Machine = json.at("machine");
     results.Vtk = json.at("vtk");
+    results.Conditions = json.at("conditions");
+    results.Suites = json.at("suites");
     for (const auto& row : json.at("rows"))
     {
       results.Rows.push_back(BenchRow::FromJson(row));
@@ -48,6 +51,8 @@ void BenchResults::Write(const std::string& path) const
   nlohmann::ordered_json json;
   json["machine"] = this->Machine;
   json["vtk"] = this->Vtk;
+  json["conditions"] = this->Conditions;
+  json["suites"] = this->Suites;
   json["rows"] = nlohmann::ordered_json::array();
   for (const BenchRow& row : this->Rows)
   {
@@ -58,6 +63,16 @@ void BenchResults::Write(const std::string& path) const
   if (!file)
   {
     throw std::runtime_error("cannot write " + path);
+  }
+}
+
+void BenchResults::SetClaims(const std::string& suite, const std::vector<BenchClaim>& claims)
+{
+  nlohmann::ordered_json& all = this->Suites[suite]["claims"];
+  all = nlohmann::ordered_json::array();
+  for (const BenchClaim& claim : claims)
+  {
+    all.push_back(claim.ToJson());
   }
 }
 

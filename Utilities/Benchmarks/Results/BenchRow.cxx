@@ -21,6 +21,25 @@ void PutIf(nlohmann::ordered_json& json, const char* name, const std::optional<d
   }
 }
 
+/// The time and, beside it, how many runs it is the median of.
+void PutSeconds(nlohmann::ordered_json& json, const std::string& prefix,
+  const std::optional<BenchSeconds>& seconds)
+{
+  if (seconds)
+  {
+    json[prefix + "seconds"] = seconds->Value;
+    json[prefix + "runs"] = seconds->Runs;
+  }
+}
+
+std::optional<BenchSeconds> SecondsIn(const nlohmann::ordered_json& json, const std::string& prefix)
+{
+  return json.contains(prefix + "seconds")
+    ? std::optional<BenchSeconds>(
+        { json.at(prefix + "seconds").get<double>(), json.at(prefix + "runs").get<int>() })
+    : std::nullopt;
+}
+
 std::optional<double> NumberIn(const nlohmann::ordered_json& json, const char* name)
 {
   return json.contains(name) ? std::optional<double>(json.at(name).get<double>()) : std::nullopt;
@@ -79,9 +98,9 @@ nlohmann::ordered_json BenchRow::ToJson() const
   }
   PutIf(json, "error", this->Error);
   PutIf(json, "error_norm", this->ErrorNorm);
-  PutIf(json, "seconds", this->Seconds);
+  PutSeconds(json, "", this->Seconds);
   PutIf(json, "peer", this->Peer);
-  PutIf(json, "peer_seconds", this->PeerSeconds);
+  PutSeconds(json, "peer_", this->PeerSeconds);
   PutIf(json, "ratio", this->GetRatio());
   if (!this->Counts.empty())
   {
@@ -102,9 +121,9 @@ BenchRow BenchRow::FromJson(const nlohmann::ordered_json& json)
   }
   row.Error = NumberIn(json, "error");
   row.ErrorNorm = json.value("error_norm", "");
-  row.Seconds = NumberIn(json, "seconds");
+  row.Seconds = SecondsIn(json, "");
   row.Peer = json.value("peer", "");
-  row.PeerSeconds = NumberIn(json, "peer_seconds");
+  row.PeerSeconds = SecondsIn(json, "peer_");
   if (json.contains("counts"))
   {
     row.Counts = json.at("counts");

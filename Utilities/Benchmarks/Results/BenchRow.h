@@ -2,6 +2,8 @@
 #ifndef BenchRow_h
 #define BenchRow_h
 
+#include "Benchmarks/Measures/BenchSeconds.h"
+
 #include <nlohmann/json.hpp>
 
 #include <optional>
@@ -21,11 +23,11 @@ struct BenchRow
   std::optional<double> Error;
   /// What Error is, with its unit.
   std::string ErrorNorm;
-  /// Median wall time.
-  std::optional<double> Seconds;
+  /// Wall time: the median of its runs.
+  std::optional<BenchSeconds> Seconds;
   /// What Seconds is compared with, measured alternately in the same run.
   std::string Peer;
-  std::optional<double> PeerSeconds;
+  std::optional<BenchSeconds> PeerSeconds;
   /// Named numbers.
   nlohmann::ordered_json Counts = nlohmann::ordered_json::object();
 

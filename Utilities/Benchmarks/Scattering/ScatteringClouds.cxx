@@ -96,7 +96,7 @@ std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
 }
 
 BenchRow MakeRow(const BenchRows& rows, const std::string& method, const std::string& parameter,
-  double seconds, double error)
+  const BenchSeconds& seconds, double error)
 {
   BenchRow row = rows.Make(CloudName, method);
   row.Parameter = parameter;
@@ -131,7 +131,7 @@ void AddCloudRows(const BenchOptions& options, BenchRows& rows)
       expected = reference::TraceScene(scene, traced);
       return vtkSmartPointer<vtkObjectBase>();
     });
-  const double traceSeconds = TimeOnce(trace);
+  const BenchSeconds traceSeconds = TimeOnce(trace);
   const double noise = GetNoise(expected);
 
   std::vector<BenchWork> works;
@@ -139,8 +139,8 @@ void AddCloudRows(const BenchOptions& options, BenchRows& rows)
   {
     works.push_back(GetLitFrame(*setting.Drawn, scene.Lights.front(), options.Threads));
   }
-  const std::vector<double> seconds = MeasureAlternately(works, options.GetRepeats());
-  const double shadowed = seconds.back();
+  const std::vector<BenchSeconds> seconds = MeasureAlternately(works, options.GetRepeats());
+  const BenchSeconds shadowed = seconds.back();
   for (std::size_t i = 0; i < settings.size(); ++i)
   {
     const Setting& setting = settings[i];
@@ -159,7 +159,7 @@ void AddCloudRows(const BenchOptions& options, BenchRows& rows)
     {
       BenchRow equal = MakeRow(rows, EqualError, Default, seconds[i], error);
       equal.Peer = MonteCarlo;
-      equal.PeerSeconds = traceSeconds * (noise * noise) / (error * error);
+      equal.PeerSeconds = { traceSeconds * (noise * noise) / (error * error), traceSeconds.Runs };
       rows.Add(equal);
     }
   }
@@ -167,8 +167,8 @@ void AddCloudRows(const BenchOptions& options, BenchRows& rows)
   for (std::uint64_t paths = traced.PathsPerPixel; paths > 0; paths /= 8)
   {
     const double share = static_cast<double>(paths) / static_cast<double>(traced.PathsPerPixel);
-    rows.Add(MakeRow(rows, MonteCarlo, std::to_string(paths) + " paths", traceSeconds * share,
-      noise / std::sqrt(share)));
+    rows.Add(MakeRow(rows, MonteCarlo, std::to_string(paths) + " paths",
+      { traceSeconds * share, traceSeconds.Runs }, noise / std::sqrt(share)));
   }
 }
 
@@ -191,7 +191,7 @@ void AddViewRows(const BenchOptions& options, BenchRows& rows)
       setting.Drawn->Capture();
       works.push_back(setting.Drawn->GetFrame(options.Threads));
     }
-    const std::vector<double> seconds = MeasureAlternately(works, options.GetRepeats());
+    const std::vector<BenchSeconds> seconds = MeasureAlternately(works, options.GetRepeats());
     for (std::size_t i = 0; i + 1 < settings.size(); ++i)
     {
       BenchRow row = rows.Make("cloud, the view turns", settings[i].Mode);

@@ -57,7 +57,7 @@ void AddMonteCarloRow(const Published& slab, const BenchOptions& options, BenchR
 {
   const auto paths = static_cast<std::uint64_t>(options.Pick(4000000, 100000, 1000));
   reference::SlabTransportResult result;
-  const double seconds = TimeOnce(WithThreads(options.Threads,
+  const BenchSeconds seconds = TimeOnce(WithThreads(options.Threads,
     [&]()
     {
       result = Trace(slab.Matter, paths, options.Seed);

@@ -45,7 +45,7 @@ struct Setting
   std::string Name;
   double Parameter;
   MethodPointer Drawn;
-  double Seconds = 0.0;
+  BenchSeconds Seconds = {};
 };
 
 /// The default distance of slices, in world units.
@@ -144,7 +144,7 @@ void AddSceneRows(reference::VolumeStage& stage, const std::string& name,
   {
     works.push_back(setting.Drawn->GetFrame(options.Threads));
   }
-  const std::vector<double> seconds = MeasureAlternately(works, Repeats);
+  const std::vector<BenchSeconds> seconds = MeasureAlternately(works, Repeats);
   const Limits limits(stage, scene, spacing, options.Pick(512, 128, 64), hasPeer);
   for (std::size_t i = 0; i < settings.size(); ++i)
   {
@@ -156,7 +156,7 @@ void AddSceneRows(reference::VolumeStage& stage, const std::string& name,
 /// A point of the plot.
 struct Point
 {
-  double Seconds;
+  BenchSeconds Seconds = {};
   double Error;
 };
 
@@ -178,7 +178,7 @@ std::vector<Point> GetPoints(const std::vector<BenchRow>& rows, const std::strin
 }
 
 /// The time at which a line through the points has the error; that of an end beyond them.
-double GetSecondsAt(double error, const std::vector<Point>& points)
+BenchSeconds GetSecondsAt(double error, const std::vector<Point>& points)
 {
   for (std::size_t i = 0; i < points.size(); ++i)
   {
@@ -191,7 +191,8 @@ double GetSecondsAt(double error, const std::vector<Point>& points)
       const Point& before = points[i - 1];
       const double share =
         std::log(before.Error / error) / std::log(before.Error / points[i].Error);
-      return before.Seconds * std::pow(points[i].Seconds / before.Seconds, share);
+      return { before.Seconds * std::pow(points[i].Seconds / before.Seconds, share),
+        before.Seconds.Runs };
     }
   }
   return points.back().Seconds;

@@ -48,7 +48,7 @@ struct Turn
   std::string Name;
   int NumberOfLights;
   MethodPointer Drawn;
-  double Seconds = 0.0;
+  BenchSeconds Seconds = {};
 };
 
 using Turns = std::vector<Turn>;
@@ -142,7 +142,7 @@ void AddRows(
   {
     works.push_back(turn.Drawn->GetFrame(options.Threads));
   }
-  const std::vector<double> seconds = MeasureAlternately(works, options.GetRepeats());
+  const std::vector<BenchSeconds> seconds = MeasureAlternately(works, options.GetRepeats());
   for (std::size_t i = 0; i < turns.size(); ++i)
   {
     turns[i].Seconds = seconds[i];

@@ -93,7 +93,7 @@ void AddSurfaceRows(const BenchOptions& options, BenchRows& rows)
     unshadowed.Shadows = false;
     const MethodPointer on = MakeSlices(stage, surface.Scene);
     const MethodPointer off = MakeSlices(stage, unshadowed);
-    const std::vector<double> seconds = MeasureAlternately(
+    const std::vector<BenchSeconds> seconds = MeasureAlternately(
       { on->GetFrame(options.Threads), off->GetFrame(options.Threads) }, options.GetRepeats());
     reference::VolumeStage small(surface.Scene.Size);
     const SurfaceErrors errors = surface.Measure(MakeSlices(small, surface.Scene)->Capture());

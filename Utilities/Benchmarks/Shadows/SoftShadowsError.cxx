@@ -56,7 +56,7 @@ struct Setting
   std::string Name;
   double Parameter;
   MethodPointer Drawn;
-  double Seconds = 0.0;
+  BenchSeconds Seconds = {};
   double ProcessorSeconds = 0.0;
   ProcessorClock Clock{};
   double Error = 0.0;
@@ -250,7 +250,7 @@ void AddSceneRows(
   {
     works.push_back(setting.Clock.Watch(setting.Drawn->GetFrame(options.Threads)));
   }
-  const std::vector<double> seconds = MeasureAlternately(works, Repeats);
+  const std::vector<BenchSeconds> seconds = MeasureAlternately(works, Repeats);
   const reference::RgbaPicture limit = MakeLimit(stage, what.Scene, report.SliceSpacing, options);
   for (std::size_t i = 0; i < settings.size(); ++i)
   {

@@ -129,7 +129,7 @@ constexpr std::size_t NumberOfMethods = 3;
 const Method Methods[NumberOfMethods] = { { Slice, MakeSlice }, { Interpolate, MakeInterpolated },
   { Sampled, MakeSampled } };
 
-std::vector<double> TimeMethods(const Film& film, const BenchOptions& options)
+std::vector<BenchSeconds> TimeMethods(const Film& film, const BenchOptions& options)
 {
   std::vector<BenchWork> works;
   for (const Method& method : Methods)
@@ -167,8 +167,8 @@ struct FilmError : RegionError
   }
 };
 
-void AddFilmRows(const Film& film, const Method& method, double seconds, double peerSeconds,
-  std::vector<BenchRow>& found, const BenchRows& rows)
+void AddFilmRows(const Film& film, const Method& method, const BenchSeconds& seconds,
+  const BenchSeconds& peerSeconds, std::vector<BenchRow>& found, const BenchRows& rows)
 {
   const FilmError error(film, method);
   BenchRow row = rows.Make(film.Field.Name, method.Name);
@@ -199,7 +199,7 @@ void AddFieldRows(const MovingField& field, const std::vector<int>& numbersOfSla
   for (const int slabs : numbersOfSlabs)
   {
     const Film film(field, slabs);
-    const std::vector<double> seconds = TimeMethods(film, options);
+    const std::vector<BenchSeconds> seconds = TimeMethods(film, options);
     for (std::size_t i = 0; i < NumberOfMethods; ++i)
     {
       AddFilmRows(film, Methods[i], seconds[i], seconds[1], found[i], rows);
@@ -220,7 +220,7 @@ void AddSliceAgainRow(const Film& film, const BenchOptions& options, BenchRows& 
   filter->Update();
   const auto simplices = vtkSmartPointer<vtkDataObject>(filter->GetOutputDataObject(2));
   const double time = film.Middles->GetTimeOf(0);
-  const std::vector<double> seconds =
+  const std::vector<BenchSeconds> seconds =
     MeasureAlternately({ WithThreads(1, [&]() { return SliceOf(simplices, time); }),
                          WithThreads(1, [&]() { return MakeInterpolated(film, 0); }) },
       options.GetRepeats());

@@ -92,9 +92,9 @@ nlohmann::ordered_json MeasureFresh(const std::string& theCase, const BenchOptio
       return filter;
     });
   nlohmann::ordered_json json;
-  json["cold"] = TimeOnce(work);
+  json["cold"] = TimeOnce(work).Value;
   json["table"] = CountLookups(filter, TableCounts());
-  json["warm"] = MeasureAlternately({ work }, options.GetRepeats()).front();
+  json["warm"] = MeasureAlternately({ work }, options.GetRepeats()).front().Value;
   filter = nullptr;
   json["memory"] = CountMemory(what);
   return json;
@@ -122,9 +122,9 @@ void AddFreshRows(const BenchOptions& options, const TaskRunner& runTask, BenchR
   {
     const nlohmann::ordered_json found = runTask(FreshTask + (" " + name));
     BenchRow row = rows.Make(name, "cold");
-    row.Seconds = found.at("cold").get<double>();
+    row.Seconds = { found.at("cold").get<double>(), 1 };
     row.Peer = "warm";
-    row.PeerSeconds = found.at("warm").get<double>();
+    row.PeerSeconds = { found.at("warm").get<double>(), options.GetRepeats() };
     row.Counts = found.at("table");
     rows.Add(row);
     memory.push_back(rows.Make(name, "memory"));

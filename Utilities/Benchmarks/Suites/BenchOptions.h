@@ -30,6 +30,8 @@ struct BenchOptions
 
   /// Timed runs of each method: 5, or 3 when not FULL.
   int GetRepeats() const;
+  /// `full`, `quick` or `tiny`.
+  std::string GetSizeName() const;
   /// 1 and Threads, or 1 alone where they are the same.
   std::vector<int> GetThreadCounts() const;
   /// The one of the three that belongs to Size.

@@ -128,7 +128,7 @@ void AddResolutionRows(Theatre& theatre, int cubes, const reference::RgbaPicture
   {
     works.push_back(WithThreads(options.Threads, theatre.FrameOf(method.Mapper)));
   }
-  const std::vector<double> seconds = MeasureAlternately(works, options.GetRepeats());
+  const std::vector<BenchSeconds> seconds = MeasureAlternately(works, options.GetRepeats());
   const std::vector<reference::PictureError> errors = MeasureErrors(theatre, grid, expected);
   for (std::size_t i = 0; i < methods.size(); ++i)
   {
@@ -153,7 +153,7 @@ void AddStrideRows(Theatre& theatre, const RenderPath& path, int cubes,
   mapper->AutoAdjustLevelOfDetailOn();
   const BenchWork frame = WithThreads(options.Threads, theatre.FrameOf(mapper));
   frame();
-  const double full = TimeOnce(frame);
+  const BenchSeconds full = TimeOnce(frame);
   std::set<std::pair<int, int>> seen;
   for (double share : { 1.0, 0.5, 0.2, 0.08, 0.03 })
   {
@@ -163,7 +163,7 @@ void AddStrideRows(Theatre& theatre, const RenderPath& path, int cubes,
     {
       frame();
     }
-    const double seconds = MeasureAlternately({ frame }, options.GetRepeats())[0];
+    const BenchSeconds seconds = MeasureAlternately({ frame }, options.GetRepeats())[0];
     const auto error = reference::ComparePictures(theatre.Capture(mapper), expected);
     const vtkTetrahedraReport& report = mapper->GetReport();
     if (seen.emplace(report.PixelStride, report.TetrahedronStride).second)

@@ -78,7 +78,7 @@ void AddRows(const SpeedCase& what, const BenchOptions& options, BenchRows& rows
     works.push_back(WithThreads(options.Threads, theatre.FrameOf(entry.Mapper)));
   }
   works.push_back(theatre.FrameOf(peer));
-  const std::vector<double> seconds = MeasureAlternately(works, what.Repeats);
+  const std::vector<BenchSeconds> seconds = MeasureAlternately(works, what.Repeats);
 
   std::map<const RenderPath*, double> unsorted;
   for (std::size_t i = 0; i < entries.size(); ++i)
