@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""TestMeasurementTables.py GENERATOR: what make_measurements.py makes of made-up measurements and templates."""
+
+import json
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+GENERATOR = Path(sys.argv.pop(1))
+sys.path.insert(0, str(GENERATOR))
+
+from make_measurements import main  # noqa: E402
+from measured_cells import seconds, short  # noqa: E402
+
+CLAIMS = [{"text": "is fast", "met": True, "cases": [{"case": "wavelet-97", "number": 5, "met": True}]},
+          {"text": "is faster", "met": False, "cases": [{"case": "wavelet-97", "number": 5, "met": True},
+                                                        {"case": "disk-out", "number": 0.5, "met": False}]}]
+
+
+def interval_row(case, peer, own_seconds, peer_seconds, runs=5):
+    return {"suite": "interval", "case": case, "method": "interval-volume", "parameter": "1 thread",
+            "seconds": own_seconds, "runs": runs, "peer": peer, "peer_seconds": peer_seconds, "peer_runs": runs,
+            "ratio": peer_seconds / own_seconds, "counts": {"cells": 8, "tetrahedra": 1234}}
+
+
+class Folder:
+    """A README.md and Documentation/ of one sentence and one table each."""
+
+    def __init__(self, page="{{table interval.speed}}\n", readme="{{readme}}\n"):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.root = Path(self.temporary.name)
+        self.data = self.root / "Documentation" / "measurements"
+        self.data.mkdir(parents=True)
+        (self.data / "page.in.md").write_text(page, encoding="utf-8")
+        (self.data / "readme.in.md").write_text(readme, encoding="utf-8")
+        (self.root / "Documentation" / "measurements.md").write_text("", encoding="utf-8")
+        (self.root / "README.md").write_text("A\n<!-- measured: x -->\nold\n<!-- /measured -->\nB\n", encoding="utf-8")
+
+    def add(self, rows, version="9.1.0", suite="interval", transcribed="", claims=()):
+        folder = self.data / ("vtk-" + version[:3])
+        folder.mkdir(exist_ok=True)
+        results = {"vtk": version, "rows": rows, "suites": {suite: {"took": 12, "claims": list(claims)}},
+                   "machine": {"cpu": "one", "cores": 2, "memory_gib": 3.5, "smp": "TBB", "compiler": "gcc 12",
+                               "build": "Release"},
+                   "conditions": {"date": "2026-01-02", "size": "quick", "threads": 2, "load": 0.25, "text": "by hand"}}
+        if transcribed:
+            results["transcribed"] = transcribed
+        (folder / f"{suite}.json").write_text(json.dumps(results), encoding="utf-8")
+
+    def run(self, *arguments):
+        sys.argv = ["make_measurements.py", "--folder", str(self.root), *arguments]
+        return main()
+
+    def page(self):
+        self.run()
+        return (self.root / "Documentation" / "measurements.md").read_text(encoding="utf-8")
+
+    def readme(self):
+        self.run()
+        return (self.root / "README.md").read_text(encoding="utf-8")
+
+
+SLOW = [interval_row("disk-out", "clip2", 2.0, 1.0), interval_row("disk-out", "clip2-tetrahedra", 2.0, 8.0)]
+FAST = [interval_row("wavelet-97", "clip2", 1.0, 5.0), interval_row("wavelet-97", "clip2-tetrahedra", 1.0, 100.0)]
+
+
+class TestPages(unittest.TestCase):
+    def test_numbers_and_conditions(self):
+        folder = Folder()
+        folder.add(FAST + SLOW)
+        page = folder.page()
+        self.assertIn("| wavelet, 97³ points, image data | 8 | 1,234 | 5 | 100 | – |", page)
+        self.assertIn("VTK 9.1, `interlume-bench interval --quick --threads 2`, 2026-01-02, one, 2 cores, 3.5 GiB, TBB, "
+                      "gcc 12 Release, load 0.25 before; times are medians of 5 runs", page)
+
+    def test_one_run_is_no_median(self):
+        folder = Folder()
+        folder.add([interval_row("wavelet-97", "clip2", 1.0, 5.0, runs=1)])
+        page = folder.page()
+        self.assertIn("5 (one run)", page)
+        self.assertIn("times of one run", page)
+        self.assertNotIn("median", page)
+
+    def test_losses_first_and_a_column_for_each_vtk(self):
+        folder = Folder()
+        folder.add(FAST + SLOW)
+        folder.add(FAST, version="9.6.2")
+        readme = folder.readme()
+        self.assertIn("| ratio, VTK 9.1 | ratio, VTK 9.6 |", readme)
+        self.assertLess(readme.index("disk"), readme.index("wavelet"))
+        self.assertIn("| **0.5** / 4 | – |", readme)
+        self.assertIn("| 5 / 100 | 5 / 100 |", readme)
+        self.assertTrue(readme.startswith("A\n") and readme.endswith("\nB\n"))
+
+    def test_missed_targets_come_first(self):
+        folder = Folder(page="{{claims interval}}\n")
+        folder.add(FAST, claims=CLAIMS)
+        page = folder.page()
+        self.assertIn("| is faster | **missed**: disk-out 0.5 | wavelet-97 5 |", page)
+        self.assertLess(page.index("is faster"), page.index("is fast |"))
+
+    def test_transcribed_is_said(self):
+        folder = Folder()
+        folder.add(FAST, transcribed="from elsewhere")
+        self.assertIn("† transcribed; VTK 9.1, by hand", folder.page())
+        self.assertIn("5 / 100 † |", folder.readme())
+
+    def test_a_changed_page_is_found(self):
+        folder = Folder()
+        folder.add(FAST)
+        folder.run()
+        self.assertEqual(folder.run("--check"), 0)
+        path = folder.root / "README.md"
+        path.write_text(path.read_text(encoding="utf-8").replace("5 / 100", "6 / 100"), encoding="utf-8")
+        self.assertEqual(folder.run("--check"), 1)
+
+    def test_a_changed_measurement_is_found(self):
+        folder = Folder()
+        folder.add(FAST)
+        folder.run()
+        folder.add([dict(row, ratio=row["ratio"] + 1) for row in FAST])
+        self.assertEqual(folder.run("--check"), 1)
+
+    def test_numbers_typed_by_hand_are_refused(self):
+        for words in ("It is 4.8 times faster.", "It takes 12 ms.", "That is 5 % more.", "It is off by 1e-6."):
+            with self.assertRaisesRegex(ValueError, "typed by hand"):
+                Folder(page=words + "\n").run()
+        for words in ("512² pixels, VTK 9.1, two threads.", "`0.5`", "{{\"0.5\"}} of a cell"):
+            Folder(page=words + "\n").run()
+
+    def test_unknown_names_are_refused(self):
+        for field in ("{{table nothing.here}}", "{{value nothing}}", "{{record nothing.here}}", "{{nothing}}"):
+            with self.assertRaises(ValueError):
+                Folder(page=field + "\n").run()
+
+    def test_ambiguous_rows_are_refused(self):
+        folder = Folder()
+        folder.add(FAST + FAST)
+        with self.assertRaisesRegex(ValueError, "2 rows"):
+            folder.run()
+
+    def test_the_folder_has_the_version(self):
+        folder = Folder()
+        folder.add(FAST)
+        (folder.data / "vtk-9.1").rename(folder.data / "vtk-9.3")
+        with self.assertRaisesRegex(ValueError, "is of VTK 9.1"):
+            folder.run()
+
+    def test_a_report_is_split(self):
+        folder = Folder()
+        folder.add(FAST)
+        report = folder.data / "vtk-9.1" / "interval.json"
+        taken = folder.root / "rows.json"
+        report.rename(taken)
+        folder.run("--take", str(taken))
+        self.assertEqual(json.loads(report.read_text(encoding="utf-8")), json.loads(taken.read_text(encoding="utf-8")))
+
+
+class TestNumbers(unittest.TestCase):
+    def test_short(self):
+        for number, text in ((0, "0"), (12, "12"), (1234567, "1,234,567"), (4.8312, "4.83"), (103.4, "103"),
+                             (1234.5, "1,234"), (0.05, "0.05"), (1.234e-7, "1.23e-7"), (2e-5, "2e-5")):
+            self.assertEqual(short(number), text)
+
+    def test_seconds(self):
+        for number, text in ((57, "57 s"), (1.0, "1 s"), (0.9999, "1 s"), (0.107, "107 ms"), (0.0038, "3.8 ms"),
+                             (2e-6, "2 µs"), (12e-6, "12 µs")):
+            self.assertEqual(seconds(number), text)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""TestMeasurementsOfBench.py GENERATOR SOURCE ROWS: the templates of SOURCE with what interlume-bench wrote to ROWS.
+
+Every table of a suite is made of it and is on a page: none of them is empty, and none is transcribed.
+"""
+
+import shutil
+import sys
+import tempfile
+from pathlib import Path
+
+generator, source, rows = map(Path, sys.argv[1:])
+sys.path.insert(0, str(generator))
+
+from measured_pages import Pages  # noqa: E402
+from measured_rows import Results, split_report  # noqa: E402
+from suites import TABLES  # noqa: E402
+
+# Their cases have sizes of the full run in their names, or VTK 9.1 has no such peer.
+OF_FULL_RUNS = {"tetrahedra.speed", "tetrahedra.error", "tetrahedra.peer", "interval4d.classes", "flow.tubes",
+                "shadows.equal-error", "flow-sharing.middle"}
+
+with tempfile.TemporaryDirectory() as name:
+    folder = Path(name)
+    data = folder / "Documentation" / "measurements"
+    data.mkdir(parents=True)
+    templates = source / "Documentation" / "measurements"
+    templates_text = []
+    for template in templates.glob("*.in.md"):
+        shutil.copy(template, data)
+        templates_text.append(template.read_text(encoding="utf-8"))
+    shutil.copytree(templates / "transcribed", data / "transcribed")
+    shutil.copy(source / "README.md", folder)
+    split_report(rows, data)
+    results = Results(data)
+    wrong = []
+    for name, table in TABLES.items():
+        runs = results.of(table.suite)
+        if not runs:
+            wrong.append(f"{name}: no suite {table.suite} in {rows}")
+        for run in runs:
+            text = table.of(run)
+            empty = [line for line in text.splitlines()[2:] if set(line.split("|")[2:-1]) == {" – "}]
+            if (not text or empty) and name not in OF_FULL_RUNS:
+                wrong.append(f"{name}: {empty or 'no lines'}")
+        if not any(f"{{{{table {name}}}}}" in words for words in templates_text):
+            wrong.append(f"{name} is on no page")
+    page = Pages(data).written(folder)[folder / "Documentation" / "measurements.md"]
+    if "of rows that were transcribed: 0;" not in page:
+        wrong.append("the page is not of these rows")
+    if wrong:
+        sys.exit("ERROR: " + "\n".join(wrong))

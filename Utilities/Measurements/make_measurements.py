@@ -1,0 +1,47 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""make_measurements.py [--check]: writes Documentation/measurements.md and the README's section "Measured".
+
+Their words are in Documentation/measurements/page.in.md and readme.in.md, their numbers in
+Documentation/measurements/vtk-*/SUITE.json, which `interlume-bench SUITE --json FILE` writes, and, of what no
+program writes yet, in Documentation/measurements/transcribed/. --check fails where a page is not what would be
+written. --take FILE puts the suites of a JSON of `interlume-bench report` (rows.json) into the folder of its VTK.
+--folder FOLDER stands for Documentation/ and the folder of README.md.
+"""
+
+import argparse
+import sys
+from pathlib import Path
+
+from measured_pages import Pages
+from measured_rows import split_report
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("--check", action="store_true", help="fail where a page is not what would be written")
+    parser.add_argument("--take", metavar="FILE", help="a JSON of the report, to be split into suites first")
+    parser.add_argument("--folder", type=Path, default=Path(__file__).resolve().parents[2],
+                        help="the folder of README.md and Documentation/")
+    arguments = parser.parse_args()
+    data = arguments.folder / "Documentation" / "measurements"
+    if arguments.take:
+        split_report(arguments.take, data)
+    pages = Pages(data).written(arguments.folder)
+    stale = [path for path, text in pages.items() if path.read_text(encoding="utf-8") != text]
+    if arguments.check:
+        for path in stale:
+            print(f"{path} is not what its JSON says: run Utilities/Measurements/make_measurements.py",
+                  file=sys.stderr)
+        return 1 if stale else 0
+    for path in stale:
+        path.write_text(pages[path], encoding="utf-8")
+        print(path)
+    return 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except ValueError as error:
+        sys.exit(f"make_measurements.py: {error}")
