@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the rows of the suite flow are measured with: streamlines of interpolated fields, tubes by
-// formulas, the flux through a disc, the explicit flow volume.
+// formulas, the flux through a disc, the explicit flow volume, where the peer ends.
 #include "Benchmarks/Flow/ExplicitFlowVolume.h"
+#include "Benchmarks/Flow/FlowMethods.h"
 #include "Benchmarks/Flow/FlowReference.h"
 #include "Benchmarks/Flow/FlowTubes.h"
 #include "Benchmarks/Flow/TrilinearFlow.h"
@@ -94,6 +95,35 @@ void TestDifference(Check& check)
   check.Near(apart.Mean, 0.04, 1e-12, "distance from the streamline");
   check.Near(apart.Time, 0.01, 1e-12, "error of the time");
   check.Near(apart.Within, 0.5, 0.0, "share within an error");
+}
+
+/// vtkStreamTracer takes no step after the one that leaves the box, as ours takes none.
+void TestTracerEnds(Check& check)
+{
+  check.SetContext("end of the peer's streamlines");
+  flow::Case what;
+  what.Field = MakeImage(9, [](const FlowVector&) { return FlowVector{ { 1.0, 0.25, 0.0 } }; });
+  what.Seeds = flow::MakeSeeds(20, 0.3, 1);
+  what.Box = { { -0.6, 0.6, -0.6, 0.6, -0.6, 0.6 } };
+  what.IsLattice = true;
+  flow::TracerSettings settings;
+  settings.Parameter = 0.125;
+  const auto tracer = flow::NewTracer(what, settings);
+  tracer->Update();
+  vtkPolyData* lines = tracer->GetOutput();
+  vtkIdType outside = 0;
+  for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
+  {
+    outside += lines->GetPoint(i)[0] < -0.6 ? 1 : 0;
+  }
+  check.Equal(outside, vtkIdType{ 20 }, "points outside, one a streamline");
+  const flow::Answer answer = flow::ReadTracer(what, tracer);
+  for (const flow::End& end : answer.Ends)
+  {
+    check.That(end.HasAnswer, "an answer");
+    // A step is an eighth of a cell's diagonal at most.
+    check.Near(end.Place[0], -0.6, 0.055, "place", 1.0);
+  }
 }
 
 void TestTubes(Check& check)
@@ -192,6 +222,7 @@ int main()
   Check check;
   TestTrilinearFlow(check);
   TestDifference(check);
+  TestTracerEnds(check);
   TestTubes(check);
   TestExplicitVolume(check);
   return check.Result();

@@ -7,12 +7,16 @@
 #include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkNew.h"
 #include "vtkProjectedTetrahedraMapper.h"
+#include "vtkRenderer.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkUnstructuredGridVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
+#include <array>
 #include <cmath>
 #include <iostream>
 
@@ -61,6 +65,31 @@ void Compare(
   check.That(IsFinerThanBytes(found), name + " is captured in floating point");
 }
 
+/// The same lights leave the renderer's collection as it is, so that no mapper takes it for a
+/// change.
+void TestLights(Check& check)
+{
+  check.SetContext("lights");
+  const std::array<int, 2> size = { { 8, 8 } };
+  VolumeStage stage(size);
+  const auto first = vtkSmartPointer<vtkLight>::New();
+  const auto second = vtkSmartPointer<vtkLight>::New();
+  vtkLightCollection* lights = stage.GetRenderer()->GetLights();
+  stage.SetLights({ first, second });
+  const vtkMTimeType before = lights->GetMTime();
+  stage.SetLights({ first, second });
+  check.That(lights->GetMTime() == before, "the same lights are no change");
+  stage.SetLights({ second, first });
+  check.That(lights->GetMTime() > before, "another order is a change");
+  check.That(lights->GetItemAsObject(0) == second.Get(), "the first in that order");
+  stage.SetLights({ second });
+  check.Equal(lights->GetNumberOfItems(), 1, "one of them");
+  stage.SetLights({});
+  check.Equal(lights->GetNumberOfItems(), 0, "none");
+  VolumeStage dark(size);
+  dark.SetLights({});
+  check.That(!dark.GetRenderer()->GetAutomaticLightCreation(), "none, and none by itself");
+}
 }
 
 int TestVolumeStage(int, char*[])
@@ -72,5 +101,6 @@ int TestVolumeStage(int, char*[])
     vtkNew<vtkProjectedTetrahedraMapper> projected;
     Compare(check, projected, grid, parallel);
   }
+  TestLights(check);
   return check.Result();
 }

@@ -50,8 +50,10 @@ nlohmann::ordered_json DescribeMachine()
   machine["cpu"] = ProcessorName(information);
   machine["cores"] = std::thread::hardware_concurrency();
   machine["memory_gib"] = std::round(information.GetTotalPhysicalMemory() / 102.4) / 10.0;
-  machine["system"] = std::string(information.GetOSName()) + " " + information.GetOSRelease() +
-    " " + information.GetOSPlatform();
+  // The version of the kernel, without what a machine's own build of it is called.
+  const std::string release = information.GetOSRelease();
+  machine["system"] = std::string(information.GetOSName()) + " " +
+    release.substr(0, release.find('-')) + " " + information.GetOSPlatform();
   machine["compiler"] = Compiler();
   machine["build"] = INTERLUME_BUILD_TYPE;
   machine["smp"] = vtkSMPTools::GetBackend();

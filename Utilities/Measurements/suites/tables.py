@@ -7,18 +7,20 @@ from measured_tables import Table
 CELLS = {"tetrahedron": "tetrahedron", "hexahedron": "hexahedron", "wedge": "wedge", "pyramid": "pyramid",
          "tetrahedron-time": "tetrahedron × time", "hexahedron-time": "hexahedron × time",
          "4-simplex": "4-simplex", "5-simplex": "5-simplex"}
+README_CELLS = ("tetrahedron", "hexahedron", "tetrahedron-time", "hexahedron-time")
+MEAN = "{:.2f}".format
 
 
-def simplices(method):
-    return joined("{}, {}", count("mean", lambda number: f"{number:.2f}", method=method), count("max", method=method))
+def simplices(method, stated=""):
+    return joined("{}, {}", count(f"{stated}mean", MEAN, method=method), count(f"{stated}max", method=method))
 
 
+COLUMNS = [("entries", count("entries", short, method="shipped")), ("simplices: mean, most", simplices("shipped")),
+           ("in the source's order", simplices("source-order"))]
 TABLES = {
-    "tables.simplices": Table("tables", [
-        ("entries", count("entries", short, method="shipped")), ("simplices: mean, most", simplices("shipped")),
-        ("in the source's order", simplices("source-order")),
-        ("as the source states", joined("{}, {}", count("stated_mean", method="source-order"),
-                                        count("stated_max", method="source-order")))],
-        head="interval table", names=CELLS, case=lambda name: name in CELLS, method="shipped"),
+    "tables.simplices": Table("tables", [*COLUMNS, ("as the source states", simplices("source-order", "stated_"))],
+                              head="interval table", names=CELLS, case=lambda name: name in CELLS, method="shipped"),
+    "tables.readme": Table("tables", COLUMNS, head="interval table", names=CELLS,
+                           case=lambda name: name in README_CELLS, method="shipped"),
 }
 VALUES = {}
