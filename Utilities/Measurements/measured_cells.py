@@ -52,7 +52,7 @@ def runs_of_one(row, text):
 class Cell:
     """One number of the only row of these fields, and of what tells the line, as text.
 
-    That is the line's field `by`, or all of its fields where there is none or the cell has no fields of its own.
+    Those are the line's fields `by`, or all of its fields where there is none or the cell has no fields of its own.
     """
 
     def __init__(self, number, text, **fields):
@@ -61,7 +61,7 @@ class Cell:
         self.fields = fields
 
     def row(self, run, line, by):
-        told = line if by is None or not self.fields else {by: line[by]}
+        told = line if by is None or not self.fields else {name: line[name] for name in by}
         found = run.select(**{**self.fields, **told})
         if len(found) > 1:
             raise ValueError(f"{run.path}: {len(found)} rows of {run.suite} are {self.fields} and {told}")

@@ -10,7 +10,7 @@ def markdown(columns, lines):
 
 
 class Table:
-    """A line for each value of a field among the rows of `suite` that have `fields`, in their order.
+    """A line for each value of a field, or of several, among the rows of `suite` that have `fields`, in their order.
 
     `names` gives a line's words by that value; what it lacks is named as it is. `columns` are pairs of a heading
     and a cell; one without fields of its own takes those of the table.
@@ -20,16 +20,22 @@ class Table:
         self.suite = suite
         self.columns = columns
         self.head = head
-        self.by = by
+        self.by = (by,) if isinstance(by, str) else by
         self.names = names or {}
         self.fields = fields
+
+    def named(self, part):
+        """A field's value in words."""
+        part = self.names.get(part, part)
+        return part if isinstance(part, str) else short(part)
 
     def lines(self, run):
         """The fields that tell the rows of each line, and its words."""
         found = {}
         for row in run.select(**self.fields):
-            key = row.get(self.by)
-            found.setdefault(key, ({**self.fields, self.by: key}, str(self.names.get(key, key))))
+            key = tuple(row.get(name) for name in self.by)
+            words = ", ".join(self.named(part) for part in key if part is not None)
+            found.setdefault(key, ({**self.fields, **dict(zip(self.by, key))}, words))
         return list(found.values())
 
     def of(self, run):
