@@ -102,6 +102,10 @@ public:
   /// Why each of several processes holds the whole field; empty where they hold parts, and for one
   /// process.
   std::string WholeFieldReason;
+  /// The number of streamlines that were taken from a checkpoint instead of being followed, all of
+  /// which count in the numbers above, and how often one was written.
+  vtkIdType ResumedStreamlines = 0;
+  vtkIdType Checkpoints = 0;
   /// The error and the speed in use, which tell what was taken for automatic settings.
   double MaximumError = 0.0;
   double MinimumSpeed = 0.0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkImplicitFlowField.h"
 
+#include "Checkpoint/FlowCheckpoint.h"
+#include "Checkpoint/FlowFingerprint.h"
 #include "Common/AbortCheck.h"
 #include "Common/NamedValue.h"
 #include "Fields/FieldInput.h"
@@ -167,6 +169,21 @@ void vtkImplicitFlowField::SetController(vtkMultiProcessController* controller)
 vtkMultiProcessController* vtkImplicitFlowField::GetController() const
 {
   return this->Controller;
+}
+
+void vtkImplicitFlowField::SetCheckpointFileName(const char* name)
+{
+  const std::string given = name ? name : "";
+  if (given != this->CheckpointFileName)
+  {
+    this->CheckpointFileName = given;
+    this->Modified();
+  }
+}
+
+const char* vtkImplicitFlowField::GetCheckpointFileName() const
+{
+  return this->CheckpointFileName.empty() ? nullptr : this->CheckpointFileName.c_str();
 }
 
 vtkMTimeType vtkImplicitFlowField::GetMTime()
@@ -434,6 +451,7 @@ int vtkImplicitFlowField::RequestData(
   }
   this->SetProgressText("Following the streamline of every sample");
   vtkFlowReport report;
+  std::unique_ptr<interlume::FlowCheckpoint> checkpoint;
   bool isAborted = this->GetAbortExecute();
   if (error.empty())
   {
@@ -445,6 +463,13 @@ int vtkImplicitFlowField::RequestData(
     if (ranks)
     {
       run.SetRanks(ranks.get());
+    }
+    if (!this->CheckpointFileName.empty())
+    {
+      checkpoint = this->OpenCheckpoint(outputs->GetInformationObject(0),
+        interlume::FlowFingerprint(options, ranks ? ranks->GetData() : field.GetPointer(), vectors, samples),
+        ranks ? &ranks->GetExchange() : nullptr);
+      run.SetCheckpoint(checkpoint.get());
     }
     error = run.Execute(samples);
     report = run.GetReport();
@@ -466,10 +491,27 @@ int vtkImplicitFlowField::RequestData(
     output->Initialize();
     return isAborted ? interlume::AbortCheck::Leave(outputs) : 1;
   }
+  if (checkpoint)
+  {
+    checkpoint->Remove();
+  }
   this->Report = report;
   this->Report.Executions = executions + 1;
   this->Finish(outputs->GetInformationObject(0), output);
   return 1;
+}
+
+std::unique_ptr<interlume::FlowCheckpoint> vtkImplicitFlowField::OpenCheckpoint(
+  vtkInformation* info, interlume::FlowFingerprint&& fingerprint, interlume::RankExchange* exchange)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  auto checkpoint = std::make_unique<interlume::FlowCheckpoint>(
+    interlume::FlowCheckpoint::GetPieceName(this->CheckpointFileName,
+      info->Get(Pipeline::UPDATE_PIECE_NUMBER()), info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())),
+    this->CheckpointInterval, std::move(fingerprint), static_cast<int>(this->MeanArrays.size()),
+    [this](const std::string& wrong) { vtkWarningMacro(<< wrong); });
+  checkpoint->Open(exchange);
+  return checkpoint;
 }
 
 void vtkImplicitFlowField::Finish(vtkInformation* info, vtkDataSet* output)
@@ -754,7 +796,9 @@ void vtkImplicitFlowField::PrintSelf(ostream& os, vtkIndent indent)
       { "ComputeArcLength", this->ComputeArcLength },
       { "ComputeMeanVorticity", this->ComputeMeanVorticity }, { "MeanArrays", this->MeanArrays },
       { "ShareStreamlines", this->ShareStreamlines }, { "KeepSteps", this->KeepSteps },
-      { "RefinementLevels", this->RefinementLevels } });
+      { "RefinementLevels", this->RefinementLevels },
+      { "CheckpointFileName", this->CheckpointFileName },
+      { "CheckpointInterval", this->CheckpointInterval } });
   os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

@@ -20,7 +20,10 @@ class vtkTerminationSurface;
 namespace interlume
 {
 class FieldInput;
+class FlowCheckpoint;
+class FlowFingerprint;
 class MeshLinks;
+class RankExchange;
 class RankField;
 struct AdvectionOptions;
 }
@@ -89,6 +92,21 @@ struct AdvectionOptions;
  * (SAMPLES_AUTOMATIC); with CriticalPointSpheres, ShareStreamlines, or a surface that is placed by
  * the vectors; and where VTK has no DIY.
  *
+ * **Checkpoints.** With CheckpointFileName the streamlines that have ended are written to a file
+ * while others are followed, and at an abort. An execution that finds the file follows the
+ * others alone and has the bytes, and but for ResumedStreamlines the numbers of the report, of one
+ * that was never stopped; so it is with refinement, shared streamlines, further quantities and what
+ * lies beyond surfaces. When all is there the file is removed. The output is whole or, after an
+ * abort, empty, never partial; the file is a table of streamlines, and has the field array
+ * PartialImplicitFlow. A file is replaced by renaming the next one, so that one that was killed in
+ * writing leaves the file before; what is left of its own ends in .part. The file is used only if
+ * field, vectors, ghost marks, samples, surfaces (what they print of themselves, meshes and lines),
+ * settings and the versions of Interlume and VTK are those of the execution. Otherwise, or if it is
+ * damaged, a warning says what differs, all streamlines are followed anew, and the file is replaced
+ * when the next is due; one that never was a checkpoint is left as it is, and none is written. For
+ * this 136 bytes a streamline are held, and 8 for each mean. Where processes hold the field in
+ * parts each writes its own file, and what one refuses all do.
+ *
  * The output is the same for any number of threads. AdvectionTime is left as the active scalars.
  *
  * **Walls.** Where walls do not slip, samples on them stagnate at once, and streamlines that come
@@ -98,7 +116,8 @@ struct AdvectionOptions;
  *
  * Warnings (vtkWarningMacro), but not for pieces: no sample reached a surface, with how many ended
  * in which way; faces that have a cell beyond them without a face that fits, with their number;
- * speeds that are a thousand times as large as all others, with their number.
+ * speeds that are a thousand times as large as all others, with their number. For pieces too: a
+ * checkpoint that is refused, and one that cannot be written.
  *
  * Errors (vtkErrorMacro, empty output): no vectors of that name or not of three components; a
  * surface that vtkTerminationSurface::PlaceIn or Update finds wrong; no surface and no domain
@@ -362,6 +381,27 @@ public:
 
   ///@{
   /**
+   * The file that finished streamlines are kept in, so that an execution that was aborted or killed
+   * is resumed by the next one, in this or another process: see **Checkpoints**. The extension is
+   * that of a vtkTable in VTK's XML format, vtt; with several pieces _0, _1, ... stand before it.
+   * Null or empty: there is none, nothing is written and nothing kept for it. Default null.
+   */
+  void SetCheckpointFileName(VTK_FILEPATH const char* name);
+  VTK_FILEPATH const char* GetCheckpointFileName() const;
+  ///@}
+
+  ///@{
+  /**
+   * The least number of seconds between two writings of that file, or ten times what the last took
+   * where that is more. 0: after every part of the streamlines, of about a second. After an abort
+   * it is always written. Default 60. Valid: 0 and above.
+   */
+  vtkSetClampMacro(CheckpointInterval, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(CheckpointInterval, double);
+  ///@}
+
+  ///@{
+  /**
    * The processes that hold a field in parts together. Default: the global controller at the time
    * of construction; null: none.
    */
@@ -424,6 +464,10 @@ private:
   /// Places the surfaces in the field. Returns false after an error.
   bool PlaceSurfaces(
     vtkDataSet* field, vtkDataArray* vectors, interlume::AdvectionOptions& options);
+  /// Makes the checkpoint that is asked for and reads its file; null without one. \a exchange is
+  /// that of processes with parts of the field.
+  std::unique_ptr<interlume::FlowCheckpoint> OpenCheckpoint(vtkInformation* info,
+    interlume::FlowFingerprint&& fingerprint, interlume::RankExchange* exchange);
   /// Warns where no sample reached a surface, and makes AdvectionTime the active scalars.
   void Finish(vtkInformation* info, vtkDataSet* output);
   void AddSpheres(vtkDataSet* field, interlume::AdvectionOptions& options);
@@ -439,6 +483,8 @@ private:
   int SampleMode = SAMPLES_AUTOMATIC;
   int SampleDimensions[3] = { 64, 64, 64 };
   double SampleBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  std::string CheckpointFileName;
+  double CheckpointInterval = 60.0;
   vtkFlowReport Report;
   /// What was found of the last field's mesh, for the next execution.
   std::shared_ptr<const interlume::MeshLinks> Mesh;

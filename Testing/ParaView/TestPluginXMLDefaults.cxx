@@ -265,7 +265,9 @@ void CompareFlowFilters(const std::string& folder)
       { "ComputeMeanVorticity", Text(field->GetComputeMeanVorticity()) }, { "MeanArrays", "" },
       { "KeepSteps", Text(field->GetKeepSteps()) },
       { "RefinementLevels", Text(field->GetRefinementLevels()) },
-      { "ShareStreamlines", Text(field->GetShareStreamlines()) } });
+      { "ShareStreamlines", Text(field->GetShareStreamlines()) },
+      { "CheckpointFileName", "" },
+      { "CheckpointInterval", Text(field->GetCheckpointInterval()) } });
 
   vtkNew<vtkInflowMapping> mapping;
   CompareWithXML(folder + "/InflowMapping.xml", "SourceProxy", "vtkPVInflowMapping", "",

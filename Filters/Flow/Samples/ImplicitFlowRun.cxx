@@ -2,6 +2,8 @@
 #include "Samples/ImplicitFlowRun.h"
 
 #include "Advection/AdvectionOptions.h"
+#include "Checkpoint/CheckpointedStreamlines.h"
+#include "Checkpoint/FlowCheckpoint.h"
 #include "Common/ArrayCheck.h"
 #include "Fields/BoundaryPatches.h"
 #include "Fields/FieldDispatch.h"
@@ -296,6 +298,20 @@ std::string ImplicitFlowRun::ExecuteInRanks(
 }
 
 void ImplicitFlowRun::FollowAll(Streamlines& streamlines, vtkDataSet* samples, int domainFaces)
+{
+  if (!this->Checkpoint)
+  {
+    this->FollowLevels(streamlines, samples, domainFaces);
+    return;
+  }
+  CheckpointedStreamlines recorded(
+    streamlines, *this->Checkpoint, this->Ranks ? &this->Ranks->GetExchange() : nullptr);
+  this->FollowLevels(recorded, samples, domainFaces);
+  this->Report.ResumedStreamlines = this->Checkpoint->GetNumberOfResumed();
+  this->Report.Checkpoints = this->Checkpoint->GetNumberOfFiles();
+}
+
+void ImplicitFlowRun::FollowLevels(Streamlines& streamlines, vtkDataSet* samples, int domainFaces)
 {
   this->ReplaceAutomatic(streamlines.GetField().GetSpeedScale());
   this->AddSurfaces(samples, this->Options.DomainFaces ? domainFaces : 0);

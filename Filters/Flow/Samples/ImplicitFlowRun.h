@@ -19,6 +19,7 @@ class vtkUnstructuredGrid;
 namespace interlume
 {
 
+class FlowCheckpoint;
 class MeshLinks;
 class RankField;
 class Streamlines;
@@ -38,6 +39,9 @@ public:
   /// Sets the processes' parts of the field, of which this one has the vectors' and no more. Every
   /// process is to execute.
   void SetRanks(RankField* ranks);
+
+  /// Sets where finished streamlines are kept, and taken from; null: nowhere.
+  void SetCheckpoint(FlowCheckpoint* checkpoint) { this->Checkpoint = checkpoint; }
 
   /**
    * Adds the arrays to \a samples. Returns what is wrong, or nothing, as after an abort. The first
@@ -69,8 +73,10 @@ private:
   std::string ExecuteAlone(const std::vector<vtkDataArray*>& means, vtkDataSet* samples);
   std::string ExecuteInRanks(const std::vector<vtkDataArray*>& means, vtkDataSet* samples);
   ///@}
-  /// Follows all samples, and those of the levels of refinement.
+  /// Follows all samples, and those of the levels of refinement, with the checkpoint if there is
+  /// one.
   void FollowAll(Streamlines& streamlines, vtkDataSet* samples, int domainFaces);
+  void FollowLevels(Streamlines& streamlines, vtkDataSet* samples, int domainFaces);
   /// Fills the part of the report that describes the field.
   template <typename FieldType>
   void Describe(const FieldType& field);
@@ -106,6 +112,7 @@ private:
   vtkDataSet* Data;
   vtkDataArray* Vectors;
   RankField* Ranks = nullptr;
+  FlowCheckpoint* Checkpoint = nullptr;
   vtkSmartPointer<vtkUnstructuredGrid> Refined;
   vtkFlowReport Report;
   double Progress = 0.0;

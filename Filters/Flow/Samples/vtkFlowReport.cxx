@@ -49,7 +49,8 @@ void vtkFlowReport::Print(std::ostream& os, vtkIndent indent) const
       { "MinimumSpeed", this->MinimumSpeed }, { "MaximumSpeed", this->MaximumSpeed },
       { "FillValues", this->FillValues }, { "KeptFaces", this->KeptFaces },
       { "JoinedFaces", this->JoinedFaces }, { "LargestJoinedGap", this->LargestJoinedGap },
-      { "OpenInterfaces", this->OpenInterfaces }, { "FieldBytes", this->FieldBytes } });
+      { "OpenInterfaces", this->OpenInterfaces }, { "FieldBytes", this->FieldBytes },
+      { "ResumedStreamlines", this->ResumedStreamlines }, { "Checkpoints", this->Checkpoints } });
   for (std::size_t rank = 0; rank < this->StepsOfRanks.size(); ++rank)
   {
     os << indent << "Steps of process " << rank << ": " << this->StepsOfRanks[rank] << "\n";

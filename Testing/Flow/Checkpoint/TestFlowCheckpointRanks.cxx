@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A field that processes hold in parts, under MPI: stopped in one of them, resumed by all, with the
+// bytes of a run without a stop.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceProgress.h"
+
+#include "vtkAnalyticFlowSource.h"
+#include "vtkFlowStatus.h"
+#include "vtkImplicitFlowField.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkMPIController.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <filesystem>
+#include <string>
+
+namespace
+{
+
+using namespace reference;
+
+/// Returns the answers of this process's samples.
+std::string GetBytes(vtkImplicitFlowField* filter)
+{
+  std::string bytes;
+  vtkPointData* data = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetPointData();
+  for (const char* name : { vtkFlowStatus::StatusArray(), vtkFlowStatus::IdArray(),
+         vtkFlowStatus::ParametersArray(), vtkFlowStatus::TimeArray() })
+  {
+    if (vtkDataArray* array = data->GetArray(name))
+    {
+      bytes.append(static_cast<const char*>(array->GetVoidPointer(0)),
+        static_cast<std::size_t>(array->GetNumberOfValues()) * array->GetDataTypeSize());
+    }
+  }
+  return bytes;
+}
+
+void Update(vtkImplicitFlowField* filter, vtkMultiProcessController* controller)
+{
+  vtkNew<vtkAnalyticFlowSource> source;
+  source->SetField(vtkAnalyticFlowSource::ABC);
+  source->SetDimensions(25, 23, 20);
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_FIELD);
+  filter->SetMaximumError(1e-3);
+  filter->DomainFacesOn();
+  filter->UpdateInformation();
+  filter->UpdatePiece(controller->GetLocalProcessId(), controller->GetNumberOfProcesses(), 0);
+}
+
+void TestRanks(Check& check, vtkMultiProcessController* controller)
+{
+  const int rank = controller->GetLocalProcessId();
+  check.SetContext("process " + std::to_string(rank));
+  vtkNew<vtkImplicitFlowField> filter;
+  Update(filter, controller);
+  const std::string whole = GetBytes(filter);
+  check.That(filter->GetReport().WholeFieldReason.empty(), "the field is in parts");
+
+  const std::string name =
+    (std::filesystem::temp_directory_path() / "TestFlowCheckpointRanks.vtt").string();
+  const std::string own = name.substr(0, name.size() - 4) + "_" + std::to_string(rank) + ".vtt";
+  std::filesystem::remove(own);
+  controller->Barrier();
+  vtkNew<vtkImplicitFlowField> stopped;
+  stopped->SetCheckpointFileName(name.c_str());
+  ProgressWatch watch;
+  // The others do not know.
+  watch.AbortAt = rank == 1 ? 0.7 : 2.0;
+  Observe(stopped, watch);
+  Update(stopped, controller);
+  check.That(GetBytes(stopped).empty(), "nothing after an abort in one process");
+  check.That(std::filesystem::exists(own), "a file of each process");
+
+  vtkNew<vtkImplicitFlowField> resumed;
+  resumed->SetCheckpointFileName(name.c_str());
+  Update(resumed, controller);
+  check.That(GetBytes(resumed) == whole, "the bytes of a run without a stop");
+  check.That(resumed->GetReport().ResumedStreamlines > 0, "streamlines of the file");
+  check.That(!std::filesystem::exists(own), "the file is removed");
+}
+
+}
+
+int main(int argc, char* argv[])
+{
+  vtkNew<vtkMPIController> controller;
+  controller->Initialize(&argc, &argv);
+  vtkMultiProcessController::SetGlobalController(controller);
+  Check check;
+  TestRanks(check, controller);
+  int failures = check.Result();
+  int all = failures;
+  controller->AllReduce(&failures, &all, 1, vtkCommunicator::MAX_OP);
+  vtkMultiProcessController::SetGlobalController(nullptr);
+  controller->Finalize();
+  return all;
+}
