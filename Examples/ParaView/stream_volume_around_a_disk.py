@@ -30,8 +30,8 @@ colored = ResampleWithDataset(SourceDataArrays=disk, DestinationMesh=bundles, Pa
 display = Show(colored, view)
 ColorBy(display, ("POINTS", "Temp"))
 colors = GetColorTransferFunction("Temp")
-colors.ApplyPreset("Black-Body Radiation", True)
-colors.RescaleTransferFunction(0, 950)  # lighter than black where gas is cold, at 293 K
+colors.ApplyPreset("Cool to Warm (Extended)", True)
+colors.RescaleTransferFunction(0, 950)  # gas is at 293 K where it is cold
 view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0.35, -1, 0.3], [0, 0, 0], [0, 0, 1]
 ResetCamera(view)
 view.GetActiveCamera().Zoom(1.1)
