@@ -106,6 +106,16 @@ class TestPages(unittest.TestCase):
         self.assertIn("† transcribed; VTK 9.1, by hand", folder.page())
         self.assertIn("5 / 100 † |", folder.readme())
 
+    def test_null_is_no_number(self):
+        folder = Folder(page="{{table interval.speed}}\n\n{{claims interval}}\n")
+        row = interval_row("wavelet-97", "clip2", 1.0, 5.0)
+        row["counts"]["tetrahedra"] = None
+        claim = {"text": "is fast", "met": False, "cases": [{"case": "wavelet-97", "number": None, "met": False}]}
+        folder.add([row], claims=[claim])
+        page = folder.page()
+        self.assertIn("| 8 | no number | 5 |", page)
+        self.assertIn("**missed**: wavelet-97 no number", page)
+
     def test_a_changed_page_is_found(self):
         folder = Folder()
         folder.add(FAST)

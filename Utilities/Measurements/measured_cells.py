@@ -5,7 +5,9 @@ NOTHING = "–"
 
 
 def short(number, digits=3):
-    """A number to so many digits; whole numbers whole, with commas."""
+    """A number to so many digits; whole numbers whole, with commas. JSON has null for what is no number."""
+    if number is None:
+        return "no number"
     if number == int(number) and (abs(number) < 1e15):
         return f"{int(number):,}"
     if abs(number) >= 10 ** digits:
@@ -72,10 +74,11 @@ class Cell:
         if row is None:
             return NOTHING
         try:
-            return self.text(self.number(row))
+            number = self.number(row)
         except KeyError:
             # Counts that this row has not.
             return NOTHING
+        return short(None) if number is None else self.text(number)
 
 
 class TimeCell(Cell):
