@@ -180,4 +180,5 @@ class TestNumbers(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    # Folders go with their objects.
+    unittest.main(warnings="ignore")
