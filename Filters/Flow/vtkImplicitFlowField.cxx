@@ -420,6 +420,12 @@ int vtkImplicitFlowField::RequestData(
   }
   if (!field || field->GetNumberOfPoints() == 0)
   {
+    // A piece of several may have none.
+    vtkInformation* information = outputs->GetInformationObject(0);
+    if (information->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) <= 1)
+    {
+      vtkWarningMacro("The output is empty: the input has no points.");
+    }
     return 1;
   }
   interlume::AdvectionOptions options(*this);
@@ -467,7 +473,8 @@ int vtkImplicitFlowField::RequestData(
     if (!this->CheckpointFileName.empty())
     {
       checkpoint = this->OpenCheckpoint(outputs->GetInformationObject(0),
-        interlume::FlowFingerprint(options, ranks ? ranks->GetData() : field.GetPointer(), vectors, samples),
+        interlume::FlowFingerprint(
+          options, ranks ? ranks->GetData() : field.GetPointer(), vectors, samples),
         ranks ? &ranks->GetExchange() : nullptr);
       run.SetCheckpoint(checkpoint.get());
     }

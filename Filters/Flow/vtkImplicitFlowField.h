@@ -114,10 +114,10 @@ struct AdvectionOptions;
  * post on a plate, against the vectors. Closer to a wall than the error that is allowed a
  * streamline may also come to a surface beside it. A wall that is a termination surface is reached.
  *
- * Warnings (vtkWarningMacro), but not for pieces: no sample reached a surface, with how many ended
- * in which way; faces that have a cell beyond them without a face that fits, with their number;
- * speeds that are a thousand times as large as all others, with their number. For pieces too: a
- * checkpoint that is refused, and one that cannot be written.
+ * Warnings (vtkWarningMacro), but not for pieces: the input has no points; no sample reached a
+ * surface, with how many ended in which way; faces that have a cell beyond them without a face that
+ * fits, with their number; speeds that are a thousand times as large as all others, with their
+ * number. For pieces too: a checkpoint that is refused, and one that cannot be written.
  *
  * Errors (vtkErrorMacro, empty output): no vectors of that name or not of three components; a
  * surface that vtkTerminationSurface::PlaceIn or Update finds wrong; no surface and no domain
