@@ -7,6 +7,7 @@
 #include "Static/ExtractionArrays.h"
 #include "Static/ExtractionIndex.h"
 #include "Static/ExtractionInput.h"
+#include "Static/GhostCells.h"
 
 #include "vtkCellData.h"
 #include "vtkCommand.h"
@@ -136,6 +137,14 @@ std::string vtkIntervalVolume::CheckParameters(vtkDataSet* input) const
     }
   }
   return std::string();
+}
+
+int vtkIntervalVolume::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  interlume::GhostCells::Request(
+    inputs[0]->GetInformationObject(0), outputs->GetInformationObject(0));
+  return 1;
 }
 
 int vtkIntervalVolume::RequestData(

@@ -68,9 +68,12 @@ class ExtractionIndex;
  *
  * Pieces of a distributed grid: unstructured ones need global ids in the point data, by which
  * shared faces are cut alike; without them each piece goes by its own ids, and quadrilaterals
- * between two pieces may be cut both ways. Ghost cells are not needed, and are left out. A face
- * between two pieces is one of the domain for both: where f equals a bound throughout, a triangle
- * may be missing there.
+ * between two pieces may be cut both ways. Where one of several pieces is asked for, a layer of
+ * ghost cells is asked of the input: by them what lies in a face between two pieces, where f equals
+ * a bound throughout, is settled as in the whole, and all pieces together have the same simplices
+ * to the last bit. Nothing of ghost cells is in the output. Of an input that gives none, such as a
+ * file of pieces without them, a face between two pieces is one of the domain for both; and so it
+ * is where f equals a bound of a criterion.
  *
  * The cells' ids are stored in 32 bits where they fit (vtkCellArray::IsStorage64Bit tells).
  *
@@ -166,6 +169,7 @@ protected:
   ~vtkIntervalVolume() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

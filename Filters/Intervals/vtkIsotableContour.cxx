@@ -7,6 +7,7 @@
 #include "Static/ExtractionArrays.h"
 #include "Static/ExtractionIndex.h"
 #include "Static/ExtractionInput.h"
+#include "Static/GhostCells.h"
 
 #include "vtkCommand.h"
 #include "vtkDataSet.h"
@@ -82,6 +83,14 @@ int vtkIsotableContour::ComputePipelineMTime(vtkInformation* request, vtkInforma
   // input.
   this->IsFirstRun = true;
   return this->Superclass::ComputePipelineMTime(request, inputs, outputs, port, time);
+}
+
+int vtkIsotableContour::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  interlume::GhostCells::Request(
+    inputs[0]->GetInformationObject(0), outputs->GetInformationObject(0));
+  return 1;
 }
 
 int vtkIsotableContour::RequestData(

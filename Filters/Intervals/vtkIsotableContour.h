@@ -29,7 +29,7 @@ class ExtractionIndex;
  * as well: a face of two cells that equals v throughout, lower values on both sides, has none. In a
  * face of the domain it has.
  *
- * Input: any dataset or composite dataset (as vtkIntervalVolume).
+ * Input: any dataset or composite dataset, and pieces of them, as in vtkIntervalVolume.
  * The scalar: SetInputArrayToProcess(0, ...), by default the active point scalars, one component.
  *
  * Output: VTK_TRIANGLE cells in a vtkUnstructuredGrid. A triangle's normal points to the
@@ -115,6 +115,7 @@ protected:
   ~vtkIsotableContour() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   ///@{

@@ -3,6 +3,7 @@
 
 #include "Static/EmptyResult.h"
 #include "Static/ExtractionInput.h"
+#include "Static/GhostCells.h"
 #include "TimeVarying/TimeVaryingRun.h"
 
 #include "vtkDataObjectTypes.h"
@@ -189,8 +190,10 @@ std::vector<double> vtkTimeVaryingIntervalVolume::GetTimesTaken() const
 }
 
 int vtkTimeVaryingIntervalVolume::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  interlume::GhostCells::Request(
+    inputs[0]->GetInformationObject(0), outputs->GetInformationObject(0));
   const std::vector<double> times = this->GetTimesTaken();
   if (this->Run || !times.empty())
   {

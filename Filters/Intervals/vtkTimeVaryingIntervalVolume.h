@@ -74,6 +74,8 @@ class TimeVaryingRun;
  * end are the outputs of vtkIntervalVolume at that step, of parts too that are in the interval at
  * that step only. The same input gives the same bytes whatever the number of threads.
  *
+ * Pieces of a distributed grid: as in vtkIntervalVolume, with a layer of ghost cells at each step.
+ *
  * Cells with NaN or infinity at one of the two steps, ghost, hidden and blanked cells are left out
  * of that slab and counted in GetReport(). A slab of no duration (two steps of equal time) is left
  * out with a warning.

@@ -3,7 +3,11 @@
 #define interlume_CornerOrder_h
 
 #include "vtkIsotable.h"
+#include "vtkSMPTools.h"
 #include "vtkType.h"
+
+#include <cstddef>
+#include <utility>
 
 class vtkPointData;
 
@@ -62,6 +66,34 @@ public:
    * reflection: the orientation is to be taken from the coordinates.
    */
   void Turn(vtkIsotable::Shapes shape, vtkIdType* ids) const;
+
+  /**
+   * Has output points that are half-way between two grid points computed from the one that comes
+   * first, in whatever order a piece stores them: the other way round they may be rounded
+   * otherwise. Of grid points at two time steps those from \a split on are at the second.
+   */
+  template <typename Point>
+  void SortHalfway(Point* points, std::size_t number, vtkIdType split = VTK_ID_MAX) const
+  {
+    const auto isBefore = [this, split](vtkIdType a, vtkIdType b)
+    {
+      const bool isSecond = a >= split;
+      return isSecond == (b >= split)
+        ? this->IsBefore(isSecond ? a - split : a, isSecond ? b - split : b)
+        : !isSecond;
+    };
+    vtkSMPTools::For(0, this->GlobalIds ? static_cast<vtkIdType>(number) : 0,
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (Point* point = points + first; point != points + last; ++point)
+        {
+          if (point->Weight == 0.5 && isBefore(point->Far, point->Near))
+          {
+            std::swap(point->Near, point->Far);
+          }
+        }
+      });
+  }
 
 private:
   void TurnPyramid(vtkIdType* ids) const;

@@ -6,6 +6,7 @@
 #include "Static/ExtractionDispatch.h"
 #include "Static/ExtractionIndex.h"
 #include "Static/ExtractionLinearizer.h"
+#include "Static/GhostCells.h"
 #include "Static/StructuredExtraction.h"
 #include "Static/UnstructuredExtraction.h"
 
@@ -128,6 +129,7 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   }
   const vtkSmartPointer<vtkDataArray> contiguous = ExtractionDispatch::MakeContiguous(scalars);
   context.Scalars = contiguous;
+  context.TakeDuplicates = GhostCells::AreTied(context);
 
   ExtractionMesh mesh;
   mesh.HasSeveralItems = this->Values->GetItems().size() > 1;
@@ -143,6 +145,10 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   if (!mesh.TiedTriangles.empty())
   {
     ExtractionCleanup::SettleTiedTriangles(mesh);
+  }
+  if (context.TakeDuplicates)
+  {
+    GhostCells::Remove(context, mesh);
   }
   if (mesh.Used.GetSize() > 0)
   {

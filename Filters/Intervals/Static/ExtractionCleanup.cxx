@@ -22,6 +22,31 @@ using Triple = std::array<vtkIdType, 3>;
 // Faces of a tetrahedron, counterclockwise from outside, by the vertex they leave out.
 constexpr int FacesOutward[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
 
+// Leaves out the simplices that are marked.
+void RemoveSimplices(ExtractionMesh& mesh, const std::vector<bool>& isRemoved)
+{
+  const vtkIdType number = mesh.ItemIds->GetNumberOfValues();
+  // Those before the first one stay where they are.
+  vtkIdType kept =
+    static_cast<vtkIdType>(std::find(isRemoved.begin(), isRemoved.end(), true) - isRemoved.begin());
+  for (vtkIdType simplex = kept; simplex < number; ++simplex)
+  {
+    if (!isRemoved[simplex])
+    {
+      mesh.Simplices.Move(simplex, kept);
+      mesh.ItemIds->SetValue(kept, mesh.ItemIds->GetValue(simplex));
+      if (mesh.CellIds.GetSize() > 0)
+      {
+        mesh.CellIds[kept] = mesh.CellIds[simplex];
+      }
+      ++kept;
+    }
+  }
+  mesh.Simplices.Truncate(kept);
+  mesh.ItemIds->SetNumberOfValues(kept);
+  mesh.CellIds.Truncate(mesh.CellIds.GetSize() > 0 ? kept : 0);
+}
+
 // Leaves out the boundary triangles that are marked.
 void RemoveTriangles(ExtractionMesh& mesh, const std::vector<bool>& isRemoved)
 {
@@ -131,29 +156,18 @@ void ExtractionCleanup::RemoveOppositeSimplices(ExtractionMesh& mesh, int size)
       isRemoved.resize(number, false);
       isRemoved[place] = true;
     });
-  if (isRemoved.empty())
+  if (!isRemoved.empty())
   {
-    return;
+    RemoveSimplices(mesh, isRemoved);
+    MarkUsed(mesh, size);
   }
-  // Triangles before the first one stay where they are.
-  vtkIdType kept =
-    static_cast<vtkIdType>(std::find(isRemoved.begin(), isRemoved.end(), true) - isRemoved.begin());
-  for (vtkIdType simplex = kept; simplex < number; ++simplex)
-  {
-    if (!isRemoved[simplex])
-    {
-      mesh.Simplices.Move(simplex, kept);
-      mesh.ItemIds->SetValue(kept, mesh.ItemIds->GetValue(simplex));
-      if (mesh.CellIds.GetSize() > 0)
-      {
-        mesh.CellIds[kept] = mesh.CellIds[simplex];
-      }
-      ++kept;
-    }
-  }
-  mesh.Simplices.Truncate(kept);
-  mesh.ItemIds->SetNumberOfValues(kept);
-  mesh.CellIds.Truncate(mesh.CellIds.GetSize() > 0 ? kept : 0);
+}
+
+void ExtractionCleanup::RemoveMarked(ExtractionMesh& mesh, int size,
+  const std::vector<bool>& simplices, const std::vector<bool>& triangles)
+{
+  RemoveSimplices(mesh, simplices);
+  RemoveTriangles(mesh, triangles);
   MarkUsed(mesh, size);
 }
 

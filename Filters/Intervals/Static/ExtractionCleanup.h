@@ -16,6 +16,10 @@ namespace interlume
 class ExtractionCleanup
 {
 public:
+  /// Removes the simplices of \a size points and the boundary triangles that are marked.
+  static void RemoveMarked(ExtractionMesh& mesh, int size, const std::vector<bool>& simplices,
+    const std::vector<bool>& triangles);
+
   /// Removes points that nothing uses; the others keep their order.
   static void RemoveUnusedPoints(ExtractionMesh& mesh);
 

@@ -130,7 +130,15 @@ struct ExtractionContext : Blanking
   /// Whether tetrahedra are oriented as their corners are stored, not by their coordinates: those
   /// that an extraction has made may be inverted, and are then parts of sums that have to stay.
   bool KeepOrientation = false;
+  /// Whether cells of other pieces are extracted too, see GhostCells.
+  bool TakeDuplicates = false;
   vtkExtractionReport* Report = nullptr;
+
+  /// Returns whether a cell is left out.
+  bool IsCellLeftOut(vtkIdType cell) const
+  {
+    return this->TakeDuplicates ? this->IsCellHidden(cell) : this->IsCellBlanked(cell);
+  }
 
   int GetSimplexSize() const { return this->Values->GetKind() == vtkIsotable::INTERVAL ? 4 : 3; }
 

@@ -195,18 +195,22 @@ private:
       this->AddCell(cell, type, known);
       return;
     }
-    std::set<vtkIdType> vertices;
+    Face vertices;
     for (const Face& face : faces)
     {
-      vertices.insert(face.begin(), face.end());
+      vertices.insert(vertices.end(), face.begin(), face.end());
     }
     if (vertices.empty())
     {
       return;
     }
+    // In the order that all pieces have, by which the mean is rounded alike.
+    std::sort(vertices.begin(), vertices.end(),
+      [this](vtkIdType a, vtkIdType b) { return this->GetOrder(a) < this->GetOrder(b); });
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     const vtkIdType center =
       this->Input->GetNumberOfPoints() + static_cast<vtkIdType>(this->Centers.size());
-    this->Centers.emplace_back(vertices.begin(), vertices.end());
+    this->Centers.push_back(vertices);
     this->NumberOfConcave += !this->IsSeenWhole(faces, this->Centers.back());
     for (const Face& face : faces)
     {

@@ -580,7 +580,7 @@ private:
 
   bool IsBlanked(const Around& around, vtkIdType i) const
   {
-    if (this->Context.IsCellBlanked(around.FirstCell + i))
+    if (this->Context.IsCellLeftOut(around.FirstCell + i))
     {
       return true;
     }

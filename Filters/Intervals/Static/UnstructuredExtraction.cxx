@@ -167,6 +167,7 @@ public:
       return false;
     }
     this->Points.MakePoints(*this->Scalars, this->Mesh.Points);
+    this->Order.SortHalfway(this->Mesh.Points.GetData(), this->Mesh.Points.GetSize());
     this->NoteWorkingBytes();
     this->Codes.Free();
     this->Marks.Free();
@@ -192,7 +193,7 @@ public:
 private:
   bool IsBlanked(vtkIdType id, const CellCorners& corners) const
   {
-    if (this->Context.IsCellBlanked(id))
+    if (this->Context.IsCellLeftOut(id))
     {
       return true;
     }

@@ -5,6 +5,7 @@
 #include "Grid/CellOrientation.h"
 #include "Grid/CornerOrder.h"
 #include "Grid/RowIndex.h"
+#include "Static/GhostCells.h"
 #include "Static/PointMarks.h"
 #include "Static/UnstructuredCells.h"
 #include "TimeVarying/TimeStep.h"
@@ -30,13 +31,22 @@ struct TimeVaryingCell
 };
 
 /**
- * The common part of the cells of rows and of unstructured cells: which of them are left out.
+ * The common part of the cells of rows and of unstructured cells: which of them are left out. Where
+ * values equal bounds, those of other pieces are not, so that what is between them can be settled.
  */
 class TimeVaryingCellsBase
 {
+public:
+  /// Returns whether a cell that is not left out is another piece's.
+  bool IsDuplicate(vtkIdType cell) const
+  {
+    return GhostCells::IsOne(*this->Steps[0], cell) || GhostCells::IsOne(*this->Steps[1], cell);
+  }
+
 protected:
   TimeVaryingCellsBase(const TimeStep& first, const TimeStep& second)
     : Steps{ &first, &second }
+    , TakesDuplicates(first.HasTies() || second.HasTies())
   {
   }
 
@@ -49,15 +59,17 @@ protected:
   bool IsBlanked(const TimeVaryingCell& cell) const
   {
     return std::any_of(this->Steps, this->Steps + 2,
-      [&cell](const TimeStep* step)
+      [this, &cell](const TimeStep* step)
       {
-        return step->IsCellBlanked(cell.Id) ||
+        return (this->TakesDuplicates ? step->IsCellHidden(cell.Id)
+                                      : step->IsCellBlanked(cell.Id)) ||
           std::any_of(cell.Ids, cell.Ids + cell.NumberOfCorners,
             [step](vtkIdType point) { return step->IsPointBlanked(point); });
       });
   }
 
   const TimeStep* Steps[2];
+  bool TakesDuplicates;
 };
 
 /**
@@ -133,9 +145,13 @@ private:
     {
       ++report.NonFiniteCells;
     }
-    else if (marks.IsNear(all))
+    else
     {
-      near.push_back(id);
+      report.BlankedCells += this->IsDuplicate(id);
+      if (marks.IsNear(all))
+      {
+        near.push_back(id);
+      }
     }
   }
 
@@ -234,6 +250,7 @@ private:
       ++*reason;
       return false;
     }
+    report.BlankedCells += this->IsDuplicate(id);
     report.LinearizedCells += corners.Kind == CellCorners::HIGHER_ORDER;
     return marks.IsNear(all);
   }

@@ -60,6 +60,7 @@ struct Chunk
   // The 4-simplices above one face of a cell where slots were made one.
   std::vector<vtkIdType> Tied;
   vtkIdType Simplices = 0;
+  bool HasDuplicates = false;
   vtkExtractionReport Report;
 };
 
@@ -151,6 +152,7 @@ public:
       this->Steps[1]->GetScalars(), this->NumberOfPoints, this->Values);
     ExtractionBuffer<ExtractionPoint> points;
     this->Points.MakePoints(*scalars, points);
+    this->Order.SortHalfway(points.GetData(), points.GetSize(), this->NumberOfPoints);
     this->Ids = this->Mesh.AddPoints(
       *this->Steps[0], *this->Steps[1], points, this->Points, this->Planarity.IsStatic());
     this->NoteReport(points.GetBytes());
@@ -278,7 +280,9 @@ private:
         static_cast<vtkIdType>((isPlain ? what.Simplices : place.Own.GetSimplices()).size());
       chunk.Cases.push_back({ cell.Id, &what, static_cast<int>(number), isPlain });
     }
-    chunk.Report.CellsWithOutput += chunk.Simplices != before;
+    const bool isDuplicate = this->TheCells.IsDuplicate(cell.Id);
+    chunk.HasDuplicates |= isDuplicate;
+    chunk.Report.CellsWithOutput += chunk.Simplices != before && !isDuplicate;
   }
 
   // Finds which slots are the same point. Returns false where none are.
@@ -386,6 +390,9 @@ private:
     slab.Items.Allocate(isNeeded && this->Values.GetItems().size() > 1 ? simplices : 0);
     slab.Flats.Allocate(options.Settings.GenerateTetrahedra ? simplices : 0);
     slab.Ties.Allocate(options.Settings.GenerateSimplices ? simplices : 0);
+    const bool hasDuplicates = std::any_of(this->Chunks.begin(), this->Chunks.end(),
+      [](const Chunk& chunk) { return chunk.HasDuplicates; });
+    slab.Duplicates.Allocate(isNeeded && hasDuplicates ? simplices : 0);
     this->Report.Simplices += simplices;
     this->MarksFlat =
       options.Settings.GenerateTetrahedra && options.IsAlongTime() && this->Planarity.IsStatic();
@@ -465,6 +472,7 @@ private:
   {
     TimeVaryingMesh::Slab& slab = this->Mesh.GetSlab();
     const TimeVaryingSlots& slots = this->Slots[cell.Shape];
+    const bool isDuplicate = this->TheCells.IsDuplicate(cell.Id);
     const unsigned planar = this->MarksFlat ? this->Planarity.GetPlanar(cell, slots) : 0;
     for (std::size_t s = 0; s < simplices.size() && slab.Simplices.GetSize() > 0; ++s, ++next)
     {
@@ -490,6 +498,10 @@ private:
       {
         slab.Ties[next] = isTied;
       }
+      if (slab.Duplicates.GetSize() > 0)
+      {
+        slab.Duplicates[next] = isDuplicate;
+      }
     }
   }
 
@@ -497,9 +509,11 @@ private:
     const vtkIdType* ids, bool isInverted, Chunk& chunk) const
   {
     const bool isMerged = !found.IsPlain && cut.IsMerged;
+    const bool isDuplicate = this->TheCells.IsDuplicate(cell.Id);
     const auto make = [&](int kind, const Slot* slots, int number)
     {
-      TimeVaryingMesh::BoundaryCell made{ { { -1, -1, -1, -1 } }, kind, found.Item, 0, isMerged };
+      TimeVaryingMesh::BoundaryCell made{ { { -1, -1, -1, -1 } }, kind, found.Item, 0, isMerged,
+        isDuplicate };
       for (int p = 0; p < number; ++p)
       {
         made.Ids[p] = ids[slots[p]];

@@ -6,6 +6,8 @@
 #include "Static/ExtractionArrays.h"
 #include "TimeVarying/TimeStep.h"
 
+#include "vtkIdList.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -156,6 +158,10 @@ vtkIdType RemoveMarked(TimeVaryingMesh::Slab& slab, const std::vector<bool>& isR
       {
         slab.Ties[kept] = slab.Ties[s];
       }
+      if (slab.Duplicates.GetSize() > 0)
+      {
+        slab.Duplicates[kept] = slab.Duplicates[s];
+      }
       ++kept;
     }
   }
@@ -163,6 +169,7 @@ vtkIdType RemoveMarked(TimeVaryingMesh::Slab& slab, const std::vector<bool>& isR
   slab.Items.Truncate(slab.Items.GetSize() > 0 ? kept : 0);
   slab.Flats.Truncate(slab.Flats.GetSize() > 0 ? kept : 0);
   slab.Ties.Truncate(slab.Ties.GetSize() > 0 ? kept : 0);
+  slab.Duplicates.Truncate(slab.Duplicates.GetSize() > 0 ? kept : 0);
   return static_cast<vtkIdType>(number - kept);
 }
 
@@ -535,6 +542,90 @@ void TimeVaryingMesh::SettleStepVolume()
   this->StepVolume.resize(kept);
 }
 
+vtkIdType TimeVaryingMesh::RemoveDuplicates()
+{
+  vtkIdType removed = 0;
+  bool hasChanged = false;
+  for (Slab& slab : this->Slabs)
+  {
+    if (slab.Duplicates.GetSize() > 0)
+    {
+      const std::uint8_t* marks = slab.Duplicates.GetData();
+      const std::vector<bool> isRemoved(marks, marks + slab.Duplicates.GetSize());
+      removed += RemoveMarked(slab, isRemoved);
+      hasChanged = true;
+    }
+  }
+  for (std::vector<BoundaryCell>* cells : { &this->Boundary, &this->StepVolume })
+  {
+    const auto kept = std::remove_if(
+      cells->begin(), cells->end(), [](const BoundaryCell& cell) { return cell.IsDuplicate; });
+    hasChanged |= kept != cells->end();
+    cells->erase(kept, cells->end());
+  }
+  if (hasChanged)
+  {
+    this->RemoveUnusedPoints();
+  }
+  return removed;
+}
+
+void TimeVaryingMesh::RemoveUnusedPoints()
+{
+  const vtkIdType number = this->Points->GetNumberOfPoints();
+  std::vector<bool> isUsed(static_cast<std::size_t>(number), false);
+  const auto forEachId = [this](auto&& visit)
+  {
+    for (Slab& slab : this->Slabs)
+    {
+      for (std::size_t s = 0; s < slab.Simplices.GetSize(); ++s)
+      {
+        std::for_each(slab.Simplices[s].begin(), slab.Simplices[s].end(), visit);
+      }
+    }
+    for (std::vector<BoundaryCell>* cells : { &this->Boundary, &this->StepVolume })
+    {
+      for (BoundaryCell& cell : *cells)
+      {
+        std::for_each(cell.Ids.begin(), cell.Ids.end() - (cell.Ids[3] < 0 ? 1 : 0), visit);
+      }
+    }
+  };
+  forEachId([&isUsed](vtkIdType id) { isUsed[id] = true; });
+  vtkNew<vtkIdList> kept;
+  std::vector<vtkIdType> newIds(isUsed.size());
+  for (vtkIdType id = 0; id < number; ++id)
+  {
+    newIds[id] = kept->GetNumberOfIds();
+    if (isUsed[id])
+    {
+      kept->InsertNextId(id);
+    }
+  }
+  forEachId([&newIds](vtkIdType& id) { id = newIds[id]; });
+  const auto take = [&kept](auto* array)
+  {
+    const auto taken = vtk::TakeSmartPointer(array->NewInstance());
+    taken->SetName(array->GetName());
+    taken->SetNumberOfComponents(array->GetNumberOfComponents());
+    taken->SetNumberOfTuples(kept->GetNumberOfIds());
+    array->GetTuples(kept, taken);
+    return taken;
+  };
+  vtkNew<vtkPoints> points;
+  points->SetData(take(this->Points->GetData()));
+  this->Points = points;
+  this->Times = take(this->Times.GetPointer());
+  vtkNew<vtkPointData> arrays;
+  for (int a = 0; a < this->Arrays->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* array = this->Arrays->GetAbstractArray(a);
+    ExtractionArrays::AddLike(this->Arrays, array, arrays, take(array));
+  }
+  this->Arrays->ShallowCopy(arrays);
+  this->FindCoordinates();
+}
+
 std::size_t TimeVaryingMesh::GetBytes() const
 {
   std::size_t bytes = this->EndPoints.capacity() * sizeof(SharedPoint) +
@@ -542,7 +633,7 @@ std::size_t TimeVaryingMesh::GetBytes() const
   for (const Slab& slab : this->Slabs)
   {
     bytes += slab.Simplices.GetBytes() + slab.Items.GetBytes() + slab.Flats.GetBytes() +
-      slab.Ties.GetBytes();
+      slab.Ties.GetBytes() + slab.Duplicates.GetBytes();
   }
   return bytes;
 }

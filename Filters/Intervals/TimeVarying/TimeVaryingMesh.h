@@ -50,6 +50,8 @@ public:
     ExtractionBuffer<std::uint8_t> Flats;
     /// Of each whether values equal a bound in its cell; empty where 4-simplices are not asked for.
     ExtractionBuffer<std::uint8_t> Ties;
+    /// Of each whether its cell is another piece's; empty where no such cell is extracted.
+    ExtractionBuffer<std::uint8_t> Duplicates;
   };
 
   /// A triangle, with a last id of -1, or a tetrahedron on the boundary.
@@ -61,6 +63,8 @@ public:
     int Slab;
     /// Whether values equal a bound there, so that the cell may cancel another or bound nothing.
     bool IsTied;
+    /// Whether it comes of another piece's cell.
+    bool IsDuplicate;
   };
 
   explicit TimeVaryingMesh(const TimeVaryingOptions& options)
@@ -122,6 +126,10 @@ public:
   /// Leaves each part of the volume at a step once, where two slabs have it, and takes away pairs
   /// of opposite orientation.
   void SettleStepVolume();
+
+  /// Leaves out what comes of other pieces' cells, once all else is settled, and points that only
+  /// they use. Returns how many 4-simplices are removed.
+  vtkIdType RemoveDuplicates();
 
   /// The slab begun last.
   Slab& GetSlab() { return this->Slabs.back(); }
@@ -194,6 +202,7 @@ private:
     const ExtractionBuffer<ExtractionPoint>& points, bool isStatic);
   void AppendArrays(vtkPointData* more);
   bool IsAtOneTime(const Simplex& simplex) const;
+  void RemoveUnusedPoints();
   void FindCoordinates();
 
   TimeVaryingOptions Options;

@@ -315,7 +315,7 @@ bool TimeVaryingRun::FillOutputs(
     leaf->Before.reset();
     leaf->Mesh.SettleTiedBoundary();
     leaf->Mesh.SettleStepVolume();
-    this->Report.Simplices -= leaf->Mesh.RemoveOppositeAtSteps();
+    this->Report.Simplices -= leaf->Mesh.RemoveOppositeAtSteps() + leaf->Mesh.RemoveDuplicates();
     const TimeVaryingMesh& mesh = leaf->Mesh;
     ExtractionArrays::ActivateScalars(leaf->ScalarsName.c_str(), mesh.GetArrays());
     vtkUnstructuredGrid* output = tetrahedraLeaves.GetNext(isNeeded);

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Static/GhostCells.h"
+
+#include "Static/ExtractionCleanup.h"
+#include "Static/ExtractionContext.h"
+#include "Static/ExtractionScalars.h"
+
+#include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <set>
+
+namespace interlume
+{
+
+void GhostCells::Request(vtkInformation* input, vtkInformation* output)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1)
+  {
+    input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
+      std::max(1, output->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS())));
+  }
+}
+
+bool GhostCells::AreTied(const ExtractionContext& context)
+{
+  const auto scalars = ExtractionScalars::Make(context.Scalars, *context.Values);
+  vtkNew<vtkIdList> ids;
+  const auto isTied = [&scalars](vtkIdType id)
+  {
+    ExtractionValues::Code code;
+    scalars->Classify(id, 1, &code);
+    return ExtractionValues::IsTie(code);
+  };
+  const vtkIdType number = context.CellGhosts ? context.Input->GetNumberOfCells() : 0;
+  for (vtkIdType cell = 0; cell < number; ++cell)
+  {
+    if (IsOne(context, cell))
+    {
+      context.Input->GetCellPoints(cell, ids);
+      if (std::any_of(ids->begin(), ids->end(), isTied))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+void GhostCells::Remove(const ExtractionContext& context, ExtractionMesh& mesh)
+{
+  std::set<vtkIdType> withOutput;
+  const vtkIdType simplices = mesh.ItemIds->GetNumberOfValues();
+  std::vector<bool> isRemoved(static_cast<std::size_t>(simplices), false);
+  for (vtkIdType simplex = 0; simplex < simplices; ++simplex)
+  {
+    if (IsOne(context, mesh.CellIds[simplex]))
+    {
+      isRemoved[simplex] = true;
+      withOutput.insert(mesh.CellIds[simplex]);
+    }
+  }
+  std::vector<bool> isTriangleRemoved(mesh.Triangles.size(), false);
+  std::transform(mesh.TriangleCellIds.begin(), mesh.TriangleCellIds.end(),
+    isTriangleRemoved.begin(), [&context](vtkIdType cell) { return IsOne(context, cell); });
+  ExtractionCleanup::RemoveMarked(mesh, context.GetSimplexSize(), isRemoved, isTriangleRemoved);
+  context.Report->CellsWithOutput -= static_cast<vtkIdType>(withOutput.size());
+  for (vtkIdType cell = 0; cell < context.Input->GetNumberOfCells(); ++cell)
+  {
+    context.Report->BlankedCells += IsOne(context, cell);
+  }
+}
+
+}
