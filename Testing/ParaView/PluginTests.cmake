@@ -127,6 +127,15 @@ foreach (side IN ITEMS client server)
     ${client} "${script}/TestPluginServer.py" alone ${side} "${PVSERVER}")
 endforeach ()
 
+# The driver is no program of ParaView's, whose MPI would not let mpiexec start.
+plugin_test(TestPluginKilledRank "paraview;mpi;value" "${Python3_EXECUTABLE}"
+  "${script}/TestPluginKilled.py" rank "${MPIEXEC_EXECUTABLE}" ${MPIEXEC_NUMPROC_FLAG} "${PVBATCH}")
+plugin_test(TestPluginKilledClient "paraview;value" "${Python3_EXECUTABLE}"
+  "${script}/TestPluginKilled.py" client "${PVSERVER}" "${PVPYTHON}")
+set_tests_properties(TestPluginKilledRank PROPERTIES RUN_SERIAL ON)
+# What the server says of its client's end is looked at by the test itself.
+set_tests_properties(TestPluginKilledClient PROPERTIES FAIL_REGULAR_EXPRESSION "Traceback")
+
 file(GLOB server_manager_xml "${PROJECT_SOURCE_DIR}/Plugin/*.xml")
 if (TARGET Interlume_qch)
   plugin_test(TestPluginHelp "paraview;value" "${Python3_EXECUTABLE}" "${script}/TestPluginHelp.py"
