@@ -108,7 +108,7 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   context.KeepOrientation = this->KeepOrientation;
   context.KeepCellIds =
     input->GetCellData()->GetNumberOfArrays() > 0 || this->InputBoundary || this->KeepOrigins;
-  context.SetBlanking(input);
+  GhostCells::SetBlanking(input, context);
 
   int dimensions[3];
   ExtractionIndex::LinearGrid ownLinear;
@@ -123,7 +123,7 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
     }
     report.ConcavePolyhedra = linear->NumberOfConcave;
     context.Input = linear->Grid;
-    context.SetBlanking(linear->Grid);
+    GhostCells::SetBlanking(linear->Grid, context);
     vtkDataArray* carried = linear->Grid->GetPointData()->GetArray(scalars->GetName());
     scalars = carried ? carried : scalars;
   }

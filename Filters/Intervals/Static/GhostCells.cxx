@@ -10,10 +10,39 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <atomic>
 #include <set>
 
 namespace interlume
 {
+
+namespace
+{
+// Returns whether a value anywhere equals an isovalue or is not finite, which is quick, since few
+// datasets of floating-point numbers have one.
+bool HasTies(const ExtractionContext& context)
+{
+  using Code = ExtractionValues::Code;
+  const auto scalars = ExtractionScalars::Make(context.Scalars, *context.Values);
+  std::atomic<bool> isAny{ false };
+  vtkSMPTools::For(0, context.Input->GetNumberOfPoints(),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      constexpr vtkIdType most = 1024;
+      Code codes[most];
+      for (vtkIdType begin = first; begin < last && !isAny; begin += most)
+      {
+        const vtkIdType number = std::min(most, last - begin);
+        scalars->Classify(begin, number, codes);
+        if (std::any_of(codes, codes + number, ExtractionValues::IsTie))
+        {
+          isAny = true;
+        }
+      }
+    });
+  return isAny;
+}
+}
 
 void GhostCells::Request(vtkInformation* input, vtkInformation* output)
 {
@@ -25,8 +54,24 @@ void GhostCells::Request(vtkInformation* input, vtkInformation* output)
   }
 }
 
+void GhostCells::SetBlanking(vtkDataSet* data, Blanking& blanking)
+{
+  blanking.SetBlanking(data);
+  if (blanking.PointGhosts)
+  {
+    const unsigned char* marks = blanking.PointGhosts->GetPointer(0);
+    const bool hidesSome = std::any_of(marks, marks + blanking.PointGhosts->GetNumberOfValues(),
+      [](unsigned char mark) { return (mark & vtkDataSetAttributes::HIDDENPOINT) != 0; });
+    blanking.PointGhosts = hidesSome ? blanking.PointGhosts : nullptr;
+  }
+}
+
 bool GhostCells::AreTied(const ExtractionContext& context)
 {
+  if (!context.CellGhosts || !HasTies(context))
+  {
+    return false;
+  }
   const auto scalars = ExtractionScalars::Make(context.Scalars, *context.Values);
   vtkNew<vtkIdList> ids;
   const auto isTied = [&scalars](vtkIdType id)
@@ -35,8 +80,7 @@ bool GhostCells::AreTied(const ExtractionContext& context)
     scalars->Classify(id, 1, &code);
     return ExtractionValues::IsTie(code);
   };
-  const vtkIdType number = context.CellGhosts ? context.Input->GetNumberOfCells() : 0;
-  for (vtkIdType cell = 0; cell < number; ++cell)
+  for (vtkIdType cell = 0; cell < context.Input->GetNumberOfCells(); ++cell)
   {
     if (IsOne(context, cell))
     {

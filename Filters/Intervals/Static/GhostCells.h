@@ -33,6 +33,10 @@ public:
     return blanking.IsCellBlanked(cell) && !blanking.IsCellHidden(cell);
   }
 
+  /// Takes the ghost arrays of a dataset, without that of its points where it hides none: points
+  /// that other pieces have too are looked at in every cell otherwise.
+  static void SetBlanking(vtkDataSet* data, Blanking& blanking);
+
   /// Returns whether a value equals an isovalue, or is not finite, at a corner of a ghost cell.
   static bool AreTied(const ExtractionContext& context);
 

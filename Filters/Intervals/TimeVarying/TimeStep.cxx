@@ -6,6 +6,7 @@
 #include "Static/ExtractionDispatch.h"
 #include "Static/ExtractionLinearizer.h"
 #include "Static/ExtractionScalars.h"
+#include "Static/GhostCells.h"
 
 #include "vtkCellArray.h"
 #include "vtkImageData.h"
@@ -137,7 +138,7 @@ TimeStep::TimeStep(vtkDataSet* input, vtkDataArray* scalars, double time, bool i
     this->Grid->ShallowCopy(input);
   }
   this->Scalars = ExtractionDispatch::MakeContiguous(scalars);
-  this->SetBlanking(this->Grid);
+  GhostCells::SetBlanking(this->Grid, *this);
 }
 
 vtkUnstructuredGrid* TimeStep::GetUnstructuredGrid() const
