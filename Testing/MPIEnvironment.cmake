@@ -7,3 +7,15 @@ set(interlume_mpi_environment
   "OMPI_MCA_btl_vader_single_copy_mechanism=none"
   "OMPI_ALLOW_RUN_AS_ROOT=1"
   "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
+
+# interlume_ranks_test(NAME PROGRAM RANKS TIMEOUT): a test by so many processes of a program.
+function (interlume_ranks_test name program ranks timeout)
+  add_test(NAME ${name}
+    COMMAND "${MPIEXEC_EXECUTABLE}" ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:${program}>)
+  set_tests_properties(${name} PROPERTIES
+    LABELS "mpi;value"
+    TIMEOUT ${timeout}
+    RUN_SERIAL ON
+    FAIL_REGULAR_EXPRESSION " ERR\\|; WARN\\|;FATL\\|"
+    ENVIRONMENT "${interlume_mpi_environment}")
+endfunction ()
