@@ -234,6 +234,7 @@ int vtkTimeVaryingIntervalVolume::RequestData(
   {
     made[port] = vtkDataObject::GetData(outputs, port);
   }
+  this->IsFilled = false;
   if (!this->Run && this->GetNumberOfIntervals() == 0)
   {
     this->WarnOfEmptyOutput(interlume::EmptyResult().Explain(this, "no interval is set.", ""));
@@ -271,7 +272,8 @@ int vtkTimeVaryingIntervalVolume::RequestData(
     {
       interlume::TimeVaryingRun::CopyStructure(input, output);
     }
-    if (!run->FillOutputs(made[0], made[1], made[2]))
+    this->IsFilled = run->FillOutputs(made[0], made[1], made[2]);
+    if (!this->IsFilled)
     {
       std::for_each(
         made, made + NumberOfPorts, [](vtkDataObject* output) { output->Initialize(); });

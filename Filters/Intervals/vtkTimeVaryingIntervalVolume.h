@@ -211,6 +211,8 @@ protected:
   /// Begins an execution, which copies steps if \a copiesSteps. Returns false, after an error,
   /// where parameters do not allow it.
   bool Begin(bool copiesSteps);
+  /// Returns whether the last execution took all steps and filled its outputs.
+  bool HasFilledOutputs() const { return this->IsFilled; }
   /// Returns why there is no output after all steps, or nothing.
   std::string ExplainEmpty(interlume::TimeVaryingRun& run);
 
@@ -223,6 +225,7 @@ private:
   std::vector<double> TimeSteps;
   /// The state that is kept from one time step to the next; null between executions.
   std::unique_ptr<interlume::TimeVaryingRun> Run;
+  bool IsFilled = false;
   /// Whether an execution was begun anew because the input changed meanwhile.
   bool IsRestarted = false;
 };

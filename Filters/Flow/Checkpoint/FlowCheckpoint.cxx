@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checkpoint/FlowCheckpoint.h"
 
+#include "Common/WholeFiles.h"
 #include "Streams/RankExchange.h"
 
-#include "vtkAlgorithm.h"
-#include "vtkCallbackCommand.h"
-#include "vtkCommand.h"
-#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -15,9 +12,7 @@
 #include "vtkXMLTableWriter.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
-#include <system_error>
 #include <utility>
 
 namespace interlume
@@ -28,26 +23,6 @@ namespace
 // It is the first word of the file's field data, and means that streamlines are missing.
 constexpr const char* MarkArray = "PartialImplicitFlow";
 
-/// Names are in UTF-8, as VTK has them.
-std::filesystem::path GetPath(const std::string& fileName)
-{
-  return std::filesystem::u8path(fileName);
-}
-
-void RemoveFile(const std::string& fileName)
-{
-  // That there is none is nothing wrong.
-  std::error_code ignored;
-  std::filesystem::remove(GetPath(fileName), ignored);
-}
-
-bool RenameFile(const std::string& fileName, const std::string& other)
-{
-  std::error_code wrong;
-  std::filesystem::rename(GetPath(fileName), GetPath(other), wrong);
-  return !wrong;
-}
-
 double GetSeconds(std::chrono::steady_clock::duration duration)
 {
   return std::chrono::duration<double>(duration).count();
@@ -56,19 +31,10 @@ double GetSeconds(std::chrono::steady_clock::duration duration)
 /// Returns whether a file begins as those that are written here, whole or not.
 bool IsCheckpoint(const std::string& fileName)
 {
-  std::ifstream file(GetPath(fileName), std::ios::in | std::ios::binary);
+  std::ifstream file(WholeFiles::GetPath(fileName), std::ios::in | std::ios::binary);
   std::string head(1024, '\0');
   file.read(&head[0], static_cast<std::streamsize>(head.size()));
   return head.find(std::string("Name=\"") + MarkArray + "\"") != std::string::npos;
-}
-
-/// What a reader or a writer says of a file is said by the filter, once.
-void Silence(vtkAlgorithm* algorithm)
-{
-  vtkNew<vtkCallbackCommand> silence;
-  algorithm->AddObserver(vtkCommand::ErrorEvent, silence);
-  algorithm->AddObserver(vtkCommand::WarningEvent, silence);
-  algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
 }
 }
 
@@ -88,7 +54,7 @@ std::string FlowCheckpoint::GetPieceName(const std::string& fileName, int piece,
   {
     return fileName;
   }
-  const std::string extension = GetPath(fileName).extension().u8string();
+  const std::string extension = WholeFiles::GetPath(fileName).extension().u8string();
   return fileName.substr(0, fileName.size() - extension.size()) + "_" + std::to_string(piece) +
     extension;
 }
@@ -102,13 +68,9 @@ std::string FlowCheckpoint::Read()
            "written";
   }
   vtkNew<vtkXMLTableReader> reader;
-  Silence(reader);
-  vtkNew<vtkCallbackCommand> silence;
-  reader->SetParserErrorObserver(silence);
-  reader->SetFileName(this->FileName.c_str());
-  reader->Update();
+  const bool isRead = WholeFiles::Read(reader, this->FileName);
   vtkTable* table = reader->GetOutput();
-  if (reader->GetErrorCode() != 0 || !table->GetFieldData()->GetArray(MarkArray))
+  if (!isRead || !table->GetFieldData()->GetArray(MarkArray))
   {
     return "it is damaged or not whole";
   }
@@ -123,8 +85,7 @@ std::string FlowCheckpoint::Read()
 
 void FlowCheckpoint::Open(RankExchange* exchange)
 {
-  std::error_code ignored;
-  const bool isThere = std::filesystem::exists(GetPath(this->FileName), ignored);
+  const bool isThere = WholeFiles::IsThere(this->FileName);
   std::string wrong = isThere ? this->Read() : std::string();
   wrong = wrong.empty() ? wrong : "The checkpoint " + this->FileName + " is not used: " + wrong;
   const std::string anywhere = exchange ? exchange->FindFirst(wrong) : wrong;
@@ -136,13 +97,12 @@ void FlowCheckpoint::Open(RankExchange* exchange)
   this->IsOwn = isThere && anywhere.empty();
   this->RowsInFile = this->Record.GetNumberOfRows();
   // Hours later would be late to learn that there is no such folder.
-  const std::string temporary = this->GetTemporaryName();
-  if (!this->IsBarred && !std::ofstream(GetPath(temporary)))
+  if (!this->IsBarred && !WholeFiles::CanWrite(this->FileName))
   {
     this->IsBarred = true;
-    this->Tell("No checkpoint is written: the file " + temporary + " cannot be made.");
+    this->Tell("No checkpoint is written: the file " +
+      WholeFiles::GetTemporaryName(this->FileName) + " cannot be made.");
   }
-  RemoveFile(temporary);
   this->Last = Clock::now();
 }
 
@@ -175,25 +135,13 @@ void FlowCheckpoint::Write()
   this->Own.Write(table->GetFieldData());
   this->Record.Write(table);
   vtkNew<vtkXMLTableWriter> writer;
-  Silence(writer);
-  const std::string temporary = this->GetTemporaryName();
-  writer->SetFileName(temporary.c_str());
   writer->SetInputData(table);
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetHeaderTypeToUInt64();
-  writer->SetCompressorTypeToLZ4();
-  const bool isWritten =
-    writer->Write() != 0 && writer->GetErrorCode() == 0 && RenameFile(temporary, this->FileName);
+  const bool isWritten = WholeFiles::Write(writer, this->FileName);
   this->IsOwn = this->IsOwn || isWritten;
   if (isWritten)
   {
     ++this->Files;
     this->RowsInFile = this->Record.GetNumberOfRows();
-  }
-  else
-  {
-    RemoveFile(temporary);
   }
   if (!isWritten && !this->HasFailed)
   {
@@ -209,7 +157,7 @@ void FlowCheckpoint::Remove()
 {
   if (this->IsOwn)
   {
-    RemoveFile(this->FileName);
+    WholeFiles::Remove(this->FileName);
   }
 }
 

@@ -67,7 +67,6 @@ private:
 
   /// Reads the file. Returns why it is of no use, or nothing.
   std::string Read();
-  std::string GetTemporaryName() const { return this->FileName + ".part"; }
 
   std::string FileName;
   double Interval;

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_WholeFiles_h
+#define interlume_WholeFiles_h
+
+#include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkExecutive.h"
+#include "vtkNew.h"
+#include "vtkXMLReader.h"
+#include "vtkXMLWriter.h"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <system_error>
+
+namespace interlume
+{
+
+/**
+ * Files of VTK's XML formats that are whole or not there: they are written beside themselves and
+ * then renamed, so that a process that is killed in writing leaves the file before. Names are in
+ * UTF-8, as VTK has them.
+ */
+namespace WholeFiles
+{
+inline std::filesystem::path GetPath(const std::string& fileName)
+{
+  return std::filesystem::u8path(fileName);
+}
+
+inline std::string GetTemporaryName(const std::string& fileName)
+{
+  return fileName + ".part";
+}
+
+inline bool IsThere(const std::string& fileName)
+{
+  std::error_code ignored;
+  return std::filesystem::exists(GetPath(fileName), ignored);
+}
+
+inline void Remove(const std::string& fileName)
+{
+  // That there is none is nothing wrong.
+  std::error_code ignored;
+  std::filesystem::remove(GetPath(fileName), ignored);
+}
+
+/// Puts what was written to the temporary name in the place of the file, or removes it. Returns
+/// whether the file is there.
+inline bool Finish(const std::string& fileName, bool isWritten)
+{
+  const std::string temporary = GetTemporaryName(fileName);
+  std::error_code wrong;
+  if (isWritten)
+  {
+    std::filesystem::rename(GetPath(temporary), GetPath(fileName), wrong);
+  }
+  if (!isWritten || wrong)
+  {
+    Remove(temporary);
+  }
+  return isWritten && !wrong;
+}
+
+/// Returns whether the temporary file can be made, and removes it, whoever has left it.
+inline bool CanWrite(const std::string& fileName)
+{
+  const bool can = static_cast<bool>(std::ofstream(GetPath(GetTemporaryName(fileName))));
+  Remove(GetTemporaryName(fileName));
+  return can;
+}
+
+/// What a reader or a writer says of a file is said by who uses it, once.
+inline void Silence(vtkAlgorithm* algorithm)
+{
+  vtkNew<vtkCallbackCommand> silence;
+  algorithm->AddObserver(vtkCommand::ErrorEvent, silence);
+  algorithm->AddObserver(vtkCommand::WarningEvent, silence);
+  algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
+}
+
+/// Writes the input of a writer, with data appended and compressed. Returns whether that was
+/// possible.
+inline bool Write(vtkXMLWriter* writer, const std::string& fileName)
+{
+  Silence(writer);
+  writer->SetFileName(GetTemporaryName(fileName).c_str());
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetHeaderTypeToUInt64();
+  writer->SetCompressorTypeToLZ4();
+  return Finish(fileName, writer->Write() != 0 && writer->GetErrorCode() == 0);
+}
+
+/// Reads a file. Returns whether it is whole as far as the reader can tell.
+inline bool Read(vtkXMLReader* reader, const std::string& fileName)
+{
+  // The parser's errors are in no error code.
+  bool isWhole = true;
+  vtkNew<vtkCallbackCommand> note;
+  note->SetClientData(&isWhole);
+  note->SetCallback(
+    [](vtkObject*, unsigned long, void* client, void*) { *static_cast<bool*>(client) = false; });
+  Silence(reader);
+  reader->AddObserver(vtkCommand::ErrorEvent, note);
+  reader->SetParserErrorObserver(note);
+  reader->SetFileName(fileName.c_str());
+  reader->Update();
+  reader->RemoveObserver(note);
+  reader->SetParserErrorObserver(nullptr);
+  return isWhole && reader->GetErrorCode() == 0;
+}
+}
+
+}
+
+#endif

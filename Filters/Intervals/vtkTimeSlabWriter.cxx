@@ -1,0 +1,407 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTimeSlabWriter.h"
+
+#include "Common/DataDigest.h"
+#include "Common/Fingerprint.h"
+#include "Common/WholeFiles.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkXMLDataElement.h"
+#include "vtkXMLUnstructuredGridReader.h"
+#include "vtkXMLUnstructuredGridWriter.h"
+
+#include <algorithm>
+#include <system_error>
+
+vtkStandardNewMacro(vtkTimeSlabWriter);
+
+namespace
+{
+using namespace interlume;
+
+/// Returns a digest of all that is taken of a time step.
+std::string GetDigest(vtkDataSet* step)
+{
+  DataDigest digest;
+  digest.AddGrid(step);
+  vtkPointData* points = step->GetPointData();
+  for (int i = 0; i < points->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = points->GetArray(i);
+    digest.Add(std::string(array && array->GetName() ? array->GetName() : ""));
+    digest.Add(array);
+  }
+  digest.Add(points->GetScalars());
+  digest.Add(points->GetGlobalIds());
+  return digest.Take();
+}
+
+std::string WriteOut(const double* numbers, int number)
+{
+  std::ostringstream text = Fingerprint::MakeExactStream();
+  for (int i = 0; i < number; ++i)
+  {
+    text << (i > 0 ? " " : "") << numbers[i];
+  }
+  return text.str();
+}
+
+/// Slabs are numbered among themselves when each is extracted alone.
+void SetSlabNumber(vtkUnstructuredGrid* grid, std::size_t slab)
+{
+  if (auto* numbers = vtkIntArray::SafeDownCast(grid->GetCellData()->GetArray("TimeSlab")))
+  {
+    numbers->Fill(static_cast<double>(slab));
+  }
+}
+}
+
+vtkTimeSlabWriter::vtkTimeSlabWriter() = default;
+
+vtkTimeSlabWriter::~vtkTimeSlabWriter() = default;
+
+void vtkTimeSlabWriter::SetFileName(const char* name)
+{
+  const std::string given = name ? name : "";
+  if (given != this->FileName)
+  {
+    this->FileName = given;
+    this->Modified();
+  }
+}
+
+const char* vtkTimeSlabWriter::GetFileName() const
+{
+  return this->FileName.empty() ? nullptr : this->FileName.c_str();
+}
+
+int vtkTimeSlabWriter::RequestData(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInformation* info = inputs[0]->GetInformationObject(0);
+  if (vtkDataSet* step = vtkDataSet::GetData(info))
+  {
+    this->StepDigests[info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())] =
+      GetDigest(step);
+  }
+  return this->Superclass::RequestData(request, inputs, outputs);
+}
+
+std::vector<vtkTimeSlabWriter::Port> vtkTimeSlabWriter::GetPorts(const std::vector<bool>& kinds)
+{
+  const std::string stem = WholeFiles::GetPath(this->FileName).stem().u8string();
+  std::vector<Port> ports;
+  if (this->GetGenerateTetrahedra())
+  {
+    ports.push_back({ 0, stem });
+  }
+  if (std::find(kinds.begin(), kinds.end(), true) != kinds.end())
+  {
+    ports.push_back({ 1, stem + "_boundaries" });
+  }
+  if (this->GetGenerateSimplices())
+  {
+    ports.push_back({ 2, stem + "_simplices" });
+  }
+  return ports;
+}
+
+std::string vtkTimeSlabWriter::GetSlabName(const Port& port, std::size_t slab, bool isInIndex) const
+{
+  const std::filesystem::path index = WholeFiles::GetPath(this->FileName);
+  const std::string name = port.Stem + "_" + std::to_string(slab) + ".vtu";
+  const std::filesystem::path inIndex = index.stem() / WholeFiles::GetPath(name);
+  return isInIndex ? inIndex.generic_u8string() : (index.parent_path() / inIndex).u8string();
+}
+
+bool vtkTimeSlabWriter::Write()
+{
+  this->WrittenSlabs = 0;
+  this->ResumedSlabs = 0;
+  if (this->FileName.empty())
+  {
+    vtkErrorMacro("There is no FileName.");
+    return false;
+  }
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    vtkErrorMacro("There is no input.");
+    return false;
+  }
+  this->UpdateInformation();
+  const std::vector<double> times = this->GetTimesTaken();
+  const std::string wrong = this->CheckTimes(times);
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong);
+    return false;
+  }
+  // What is set for each slab is taken back in the end.
+  int range[2];
+  this->GetTimeStepRange(range);
+  const bool warns = this->GetWarnOnEmptyOutput();
+  std::vector<bool> kinds;
+  for (int kind = 0; kind < NUMBER_OF_BOUNDARY_KINDS; ++kind)
+  {
+    kinds.push_back(this->GetGenerateBoundary(kind));
+  }
+  this->SetWarnOnEmptyOutput(false);
+  const std::string problem = this->WriteSlabs(times, kinds);
+  this->SetWarnOnEmptyOutput(warns);
+  this->SetTimeStepRange(range);
+  for (int kind = 0; kind < NUMBER_OF_BOUNDARY_KINDS; ++kind)
+  {
+    this->SetGenerateBoundary(kind, kinds[static_cast<std::size_t>(kind)]);
+  }
+  this->StepDigests.clear();
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+  }
+  return problem.empty() && !this->GetAbortExecute();
+}
+
+std::string vtkTimeSlabWriter::WriteSlabs(
+  const std::vector<double>& times, const std::vector<bool>& kinds)
+{
+  const std::vector<Port> ports = this->GetPorts(kinds);
+  const int firstStep = this->GetFirstStep();
+  std::error_code failure;
+  std::filesystem::create_directories(
+    WholeFiles::GetPath(this->GetSlabName({ 0, "" }, 0, false)).parent_path(), failure);
+  for (const Port& port : ports)
+  {
+    WholeFiles::Remove(this->GetIndexName(port));
+  }
+  int refused = 0;
+  std::string firstDifference;
+  for (std::size_t slab = 0; slab + 1 < times.size() && !this->GetAbortExecute(); ++slab)
+  {
+    const double* own = &times[slab];
+    this->SetSlab(slab, times.size() - 2, firstStep, kinds);
+    std::string different;
+    if (this->IsWritten(ports, slab, own, different))
+    {
+      ++this->ResumedSlabs;
+      continue;
+    }
+    refused += different.empty() ? 0 : 1;
+    firstDifference = firstDifference.empty() ? different : firstDifference;
+    const std::string wrong = this->WriteSlab(ports, slab, own);
+    if (!wrong.empty())
+    {
+      return wrong;
+    }
+  }
+  if (refused > 0)
+  {
+    vtkWarningMacro("Slabs that were there and are not used, but written anew: "
+      << refused << ". The first: " << firstDifference);
+  }
+  for (const Port& port : ports)
+  {
+    if (!this->GetAbortExecute() && !this->WriteIndex(port, times))
+    {
+      return "The file " + this->GetIndexName(port) + " could not be written.";
+    }
+  }
+  return {};
+}
+
+void vtkTimeSlabWriter::SetSlab(
+  std::size_t slab, std::size_t last, int firstStep, const std::vector<bool>& kinds)
+{
+  const int step = firstStep + static_cast<int>(slab);
+  this->SetTimeStepRange(step, step + 1);
+  for (int kind = 0; kind < NUMBER_OF_BOUNDARY_KINDS; ++kind)
+  {
+    const bool isAtStart =
+      kind == LOWER_SURFACE_AT_START || kind == UPPER_SURFACE_AT_START || kind == VOLUME_AT_START;
+    const bool isAtEnd =
+      kind == LOWER_SURFACE_AT_END || kind == UPPER_SURFACE_AT_END || kind == VOLUME_AT_END;
+    const bool isHere = (!isAtStart || slab == 0) && (!isAtEnd || slab == last);
+    this->SetGenerateBoundary(kind, kinds[static_cast<std::size_t>(kind)] && isHere);
+  }
+}
+
+Fingerprint vtkTimeSlabWriter::MakeFingerprint(std::size_t slab, const double* times)
+{
+  Fingerprint fingerprint(INTERLUME_VERSION);
+  fingerprint.Add("slab", std::to_string(slab));
+  fingerprint.Add("times", WriteOut(times, 2));
+  for (int i = 0; i < this->GetNumberOfIntervals(); ++i)
+  {
+    double bounds[2];
+    this->GetInterval(i, bounds[0], bounds[1]);
+    fingerprint.Add("interval " + std::to_string(i), WriteOut(bounds, 2));
+  }
+  fingerprint.Add("number of intervals", std::to_string(this->GetNumberOfIntervals()));
+  double direction[4];
+  this->GetProjectionDirection(direction);
+  fingerprint.Add("ProjectionDirection", WriteOut(direction, 4));
+  std::string kinds;
+  for (int kind = 0; kind < NUMBER_OF_BOUNDARY_KINDS; ++kind)
+  {
+    kinds += this->GetGenerateBoundary(kind) ? "1" : "0";
+  }
+  fingerprint.Add("GenerateBoundary", kinds);
+  fingerprint.Add("OutputPointsPrecision", std::to_string(this->GetOutputPointsPrecision()));
+  vtkInformation* array = this->GetInputArrayInformation(0);
+  fingerprint.Add("array",
+    array->Has(vtkDataObject::FIELD_NAME()) ? array->Get(vtkDataObject::FIELD_NAME()) : "");
+  return fingerprint;
+}
+
+void vtkTimeSlabWriter::AddSteps(Fingerprint& fingerprint, const double* times) const
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    const auto found = this->StepDigests.find(times[i]);
+    fingerprint.Add("data at time " + WriteOut(times + i, 1),
+      found == this->StepDigests.end() ? std::string() : found->second);
+  }
+}
+
+void vtkTimeSlabWriter::FindDigest(double time)
+{
+  if (this->StepDigests.count(time) > 0)
+  {
+    return;
+  }
+  int port = 0;
+  vtkAlgorithm* source = this->GetInputAlgorithm(0, 0, port);
+  source->UpdateTimeStep(time);
+  if (auto* step = vtkDataSet::SafeDownCast(source->GetOutputDataObject(port)))
+  {
+    this->StepDigests[time] = GetDigest(step);
+  }
+}
+
+bool vtkTimeSlabWriter::IsWritten(
+  const std::vector<Port>& ports, std::size_t slab, const double* times, std::string& different)
+{
+  Fingerprint fingerprint = this->MakeFingerprint(slab, times);
+  bool hasSteps = false;
+  for (const Port& port : ports)
+  {
+    const std::string name = this->GetSlabName(port, slab, false);
+    if (!WholeFiles::IsThere(name))
+    {
+      return false;
+    }
+    vtkNew<vtkXMLUnstructuredGridReader> reader;
+    const bool isWhole = WholeFiles::Read(reader, name);
+    vtkFieldData* data = reader->GetOutput()->GetFieldData();
+    different = isWhole ? fingerprint.Compare(data) : "it is damaged or not whole";
+    if (different.empty() && !hasSteps)
+    {
+      this->StepDigests.erase(this->StepDigests.begin(), this->StepDigests.lower_bound(times[0]));
+      this->FindDigest(times[0]);
+      this->FindDigest(times[1]);
+      this->AddSteps(fingerprint, times);
+      hasSteps = true;
+      different = fingerprint.Compare(data);
+    }
+    if (!different.empty())
+    {
+      different = name + (isWhole ? ": these differ: " : ": ") + different + ".";
+      return false;
+    }
+  }
+  return !ports.empty();
+}
+
+std::string vtkTimeSlabWriter::WriteSlab(
+  const std::vector<Port>& ports, std::size_t slab, const double* times)
+{
+  this->StepDigests.clear();
+  // Outputs were released after the slab before.
+  this->Modified();
+  this->Update();
+  if (this->GetAbortExecute())
+  {
+    return {};
+  }
+  if (!this->HasFilledOutputs())
+  {
+    return "Slab " + std::to_string(slab) + " was not made, and the slabs after it.";
+  }
+  Fingerprint fingerprint = this->MakeFingerprint(slab, times);
+  this->AddSteps(fingerprint, times);
+  std::string wrong;
+  for (const Port& port : ports)
+  {
+    auto* output = vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(port.Number));
+    if (!output)
+    {
+      return "Blocks of composite data are not written: extract one first.";
+    }
+    SetSlabNumber(output, slab);
+    fingerprint.Write(output->GetFieldData());
+    const std::string name = this->GetSlabName(port, slab, false);
+    vtkNew<vtkXMLUnstructuredGridWriter> writer;
+    writer->SetInputData(output);
+    if (!WholeFiles::Write(writer, name))
+    {
+      wrong = "The file " + name + " could not be written.";
+    }
+  }
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    this->GetOutputDataObject(port)->ReleaseData();
+  }
+  this->WrittenSlabs += wrong.empty() ? 1 : 0;
+  return wrong;
+}
+
+std::string vtkTimeSlabWriter::GetIndexName(const Port& port) const
+{
+  const std::filesystem::path index = WholeFiles::GetPath(this->FileName);
+  const std::filesystem::path name = WholeFiles::GetPath(port.Stem + index.extension().u8string());
+  return (index.parent_path() / name).u8string();
+}
+
+bool vtkTimeSlabWriter::WriteIndex(const Port& port, const std::vector<double>& times) const
+{
+  vtkNew<vtkXMLDataElement> file;
+  file->SetName("VTKFile");
+  file->SetAttribute("type", "vtkMultiBlockDataSet");
+  file->SetAttribute("version", "1.0");
+  vtkNew<vtkXMLDataElement> blocks;
+  blocks->SetName("vtkMultiBlockDataSet");
+  for (std::size_t slab = 0; slab + 1 < times.size(); ++slab)
+  {
+    vtkNew<vtkXMLDataElement> block;
+    block->SetName("DataSet");
+    block->SetIntAttribute("index", static_cast<int>(slab));
+    block->SetAttribute("name",
+      ("time " + WriteOut(&times[slab], 1) + " to " + WriteOut(&times[slab + 1], 1)).c_str());
+    block->SetAttribute("file", this->GetSlabName(port, slab, true).c_str());
+    blocks->AddNestedElement(block);
+  }
+  file->AddNestedElement(blocks);
+  const std::string name = this->GetIndexName(port);
+  std::ofstream stream(WholeFiles::GetPath(WholeFiles::GetTemporaryName(name)));
+  file->PrintXML(stream, vtkIndent());
+  stream.close();
+  return WholeFiles::Finish(name, static_cast<bool>(stream));
+}
+
+void vtkTimeSlabWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << this->FileName << "\n";
+  os << indent << "NumberOfWrittenSlabs: " << this->WrittenSlabs << "\n";
+  os << indent << "NumberOfResumedSlabs: " << this->ResumedSlabs << "\n";
+}
