@@ -265,8 +265,7 @@ void CompareFlowFilters(const std::string& folder)
       { "ComputeMeanVorticity", Text(field->GetComputeMeanVorticity()) }, { "MeanArrays", "" },
       { "KeepSteps", Text(field->GetKeepSteps()) },
       { "RefinementLevels", Text(field->GetRefinementLevels()) },
-      { "ShareStreamlines", Text(field->GetShareStreamlines()) },
-      { "CheckpointFileName", "" },
+      { "ShareStreamlines", Text(field->GetShareStreamlines()) }, { "CheckpointFileName", "" },
       { "CheckpointInterval", Text(field->GetCheckpointInterval()) } });
 
   vtkNew<vtkInflowMapping> mapping;
