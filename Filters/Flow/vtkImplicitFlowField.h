@@ -93,19 +93,19 @@ struct AdvectionOptions;
  * the vectors; and where VTK has no DIY.
  *
  * **Checkpoints.** With CheckpointFileName the streamlines that have ended are written to a file
- * while others are followed, and at an abort. An execution that finds the file follows the
- * others alone and has the bytes, and but for ResumedStreamlines the numbers of the report, of one
- * that was never stopped; so it is with refinement, shared streamlines, further quantities and what
- * lies beyond surfaces. When all is there the file is removed. The output is whole or, after an
- * abort, empty, never partial; the file is a table of streamlines, and has the field array
- * PartialImplicitFlow. A file is replaced by renaming the next one, so that one that was killed in
- * writing leaves the file before; what is left of its own ends in .part. The file is used only if
- * field, vectors, ghost marks, samples, surfaces (what they print of themselves, meshes and lines),
- * settings and the versions of Interlume and VTK are those of the execution. Otherwise, or if it is
- * damaged, a warning says what differs, all streamlines are followed anew, and the file is replaced
- * when the next is due; one that never was a checkpoint is left as it is, and none is written. For
- * this 136 bytes a streamline are held, and 8 for each mean. Where processes hold the field in
- * parts each writes its own file, and what one refuses all do.
+ * while others are followed, and at an abort. An execution that finds the file follows the others
+ * alone. It has the bytes of one that was never stopped, and the numbers of its report, but for
+ * LaneSteps and those of checkpoints and processes; so it is with refinement, shared streamlines,
+ * further quantities and what lies beyond surfaces. When all is there the file is removed. The
+ * output is whole or, after an abort, empty, never partial; the file is a table of streamlines, and
+ * has the field array PartialImplicitFlow. A file is replaced by renaming the next one, so that a
+ * process that is killed in writing leaves the file before, and a file that ends in .part. The file
+ * is used only if field, vectors, ghost marks, samples, surfaces (what they print of themselves,
+ * meshes and lines), settings and the versions of Interlume and VTK are those of the execution.
+ * Otherwise, or if it is damaged, a warning says what differs, all streamlines are followed anew,
+ * and the file is replaced when the next is due; one that never was a checkpoint is left as it is,
+ * and none is written. For this 124 bytes a streamline are held, and 8 for each mean. Where
+ * processes hold the field in parts each writes its own file, and what one refuses all do.
  *
  * The output is the same for any number of threads. AdvectionTime is left as the active scalars.
  *

@@ -37,8 +37,9 @@ class Fingerprint;
  * steps, with all point arrays. For that the steps are read, but nothing is extracted. Others are
  * written anew, with one warning that says how many, and what differs in the first.
  *
- * Each time step is read twice, for the slabs before and after it. Progress is that of each slab;
- * its text names the step. An abort ends after the slab at hand, without an index.
+ * One process writes: the whole input is asked for. Each time step is read twice, for the slabs
+ * before and after it. Progress is that of each slab; its text names the step. An abort ends after
+ * the slab at hand, without an index.
  *
  * Errors (vtkErrorMacro, Write returns false): no FileName, no input, composite input, a file that
  * cannot be written, and those of vtkTimeVaryingIntervalVolume.

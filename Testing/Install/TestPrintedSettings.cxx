@@ -36,6 +36,7 @@
 #include "vtkTerminationSphere.h"
 #include "vtkTerminationSurfaceSource.h"
 #include "vtkTerminationTube.h"
+#include "vtkTimeSlabWriter.h"
 #include "vtkTimeVaryingIntervalVolume.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkTurbulenceSource.h"
@@ -108,6 +109,7 @@ std::vector<vtkSmartPointer<vtkObject>> MakeAll()
     Make<vtkTerminationSphere>(),
     Make<vtkTerminationSurfaceSource>(),
     Make<vtkTerminationTube>(),
+    Make<vtkTimeSlabWriter>(),
     Make<vtkTimeVaryingIntervalVolume>(),
     Make<vtkTimeWeightedTetrahedraMapper>(),
     Make<vtkTurbulenceSource>(),

@@ -26,7 +26,7 @@ namespace interlume
  *
  * An execution asks for streamlines group by group: the samples, those of each level of refinement,
  * what lies beyond surfaces. Each group is a number of streamlines with a digest of their starts; a
- * result is a row of columns of numbers, 128 bytes and 8 for each mean. Whatever else an execution
+ * result is a row of columns of numbers, 124 bytes and 8 for each mean. Whatever else an execution
  * computes follows from these results, so that one with the same record has the same bytes.
  */
 class StreamlineRecord
