@@ -9,6 +9,7 @@
 #include "Fields/FieldVectors.h"
 #include "Samples/ImplicitFlowRun.h"
 #include "Samples/OutputPiece.h"
+#include "Samples/RankSamples.h"
 #include "Samples/SampleGrid.h"
 #include "Streams/RankField.h"
 
@@ -28,6 +29,7 @@
 #include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStructuredGrid.h"
 #include "vtkTerminationSphere.h"
 #include "vtkTerminationSurface.h"
 #include "vtkUnstructuredGrid.h"
@@ -327,19 +329,6 @@ int vtkImplicitFlowField::RequestUpdateExtent(
   return 1;
 }
 
-bool vtkImplicitFlowField::TakesFieldPoints(vtkInformation* field) const
-{
-  int extent[6];
-  field->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-  vtkIdType points = 1;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    points *= extent[2 * axis + 1] - extent[2 * axis] + 1;
-  }
-  return this->SampleMode == SAMPLES_OF_FIELD ||
-    (this->SampleMode == SAMPLES_AUTOMATIC && points <= interlume::SampleGrid::MostPoints);
-}
-
 bool vtkImplicitFlowField::IsInParts(
   vtkInformationVector** inputs, vtkInformationVector* outputs, std::string& reason) const
 {
@@ -351,7 +340,6 @@ bool vtkImplicitFlowField::IsInParts(
   vtkInformation* output = outputs->GetInformationObject(0);
   vtkInformation* field = inputs[0]->GetInformationObject(0);
   vtkDataObject* data = field->Get(vtkDataObject::DATA_OBJECT());
-  const bool isImage = vtkImageData::SafeDownCast(data) != nullptr;
   const auto isPlacedByVectors = [](const auto& surface) { return surface->IsPlacedByVectors(); };
   if (!interlume::RankExchange::IsPossible(this->Controller))
   {
@@ -364,14 +352,11 @@ bool vtkImplicitFlowField::IsInParts(
     reason = "the pieces that are asked for are not those of the processes";
   }
   else if (!field->Has(Pipeline::WHOLE_EXTENT()) ||
-    !(isImage || vtkRectilinearGrid::SafeDownCast(data)) ||
+    !(vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
+      vtkStructuredGrid::SafeDownCast(data)) ||
     !interlume::FieldPart::HasCells(field->Get(Pipeline::WHOLE_EXTENT())))
   {
-    reason = "it is no image or rectilinear grid of three dimensions";
-  }
-  else if (!isImage && this->SampleMode == SAMPLES_AUTOMATIC && !this->TakesFieldPoints(field))
-  {
-    reason = "the samples are fewer points of a rectilinear grid";
+    reason = "it is no image, rectilinear or structured grid of three dimensions";
   }
   else if (this->CriticalPointSpheres || this->ShareStreamlines)
   {
@@ -588,7 +573,7 @@ std::string vtkImplicitFlowField::CheckBlocks(const interlume::FieldInput& input
 }
 
 bool vtkImplicitFlowField::SetSamples(const interlume::FieldInput& input, vtkDataSet* field,
-  const interlume::RankField* ranks, vtkInformationVector** inputs, vtkInformationVector* outputs,
+  interlume::RankField* ranks, vtkInformationVector** inputs, vtkInformationVector* outputs,
   vtkDataSet* output)
 {
   if (this->SampleMode == SAMPLES_OF_IMAGE)
@@ -638,7 +623,9 @@ bool vtkImplicitFlowField::SetSamples(const interlume::FieldInput& input, vtkDat
     vtkSmartPointer<vtkDataSet> points = field;
     if (areFewer)
     {
-      points = interlume::SampleGrid::Make(field);
+      const bool isImage = vtkImageData::SafeDownCast(field) != nullptr;
+      points = ranks && !isImage ? interlume::RankSamples::Make(*ranks)
+                                 : interlume::SampleGrid::Make(field);
     }
     else if (ranks)
     {

@@ -84,13 +84,13 @@ struct AdvectionOptions;
  * **Pieces.** A sample needs all of the field that its streamline meets: of port 0 the whole is
  * asked for, whatever the piece; samples are those of the piece.
  *
- * **Processes.** Where each process of the controller is asked for its own piece, an image or a
- * rectilinear grid stays in parts: each process asks for its cells and a layer around them, and
- * streamlines go from process to process (VTK's DIY). Answers have the bytes that one process gives
- * them. All processes have to execute at once. Each holds the whole field, and the report says why,
- * for grids of other kinds; where the samples are fewer points of a rectilinear grid
- * (SAMPLES_AUTOMATIC); with CriticalPointSpheres, ShareStreamlines, or a surface that is placed by
- * the vectors; and where VTK has no DIY.
+ * **Processes.** Where each process of the controller is asked for its own piece, an image, a
+ * rectilinear or a structured grid stays in parts: each process asks for its cells and a layer
+ * around them, and streamlines go from process to process (VTK's DIY). Answers have the bytes that
+ * one process gives them. All processes have to execute at once; an abort in one ends all. Each
+ * holds the whole field, and the report says why, for unstructured grids and blocks; with
+ * CriticalPointSpheres, ShareStreamlines, or a surface that is placed by the vectors; and where VTK
+ * has no DIY.
  *
  * **Checkpoints.** With CheckpointFileName the streamlines that have ended are written to a file
  * while others are followed, and at an abort. An execution that finds the file follows the others
@@ -448,12 +448,10 @@ private:
   /// there are several, \a reason says why.
   bool IsInParts(
     vtkInformationVector** inputs, vtkInformationVector* outputs, std::string& reason) const;
-  /// Returns whether the samples are the points of a field with a whole extent.
-  bool TakesFieldPoints(vtkInformation* field) const;
   /// Gives \a output the samples' geometry and point data. \a ranks is null where the field is
   /// whole.
   bool SetSamples(const interlume::FieldInput& input, vtkDataSet* field,
-    const interlume::RankField* ranks, vtkInformationVector** inputs, vtkInformationVector* outputs,
+    interlume::RankField* ranks, vtkInformationVector** inputs, vtkInformationVector* outputs,
     vtkDataSet* output);
   /// Cuts the whole field down to the piece that is asked for. \a whole is the whole extent, where
   /// \a output is not the whole.

@@ -144,6 +144,7 @@ public:
     this->Recurrence = values.Recurrence;
     this->Integrals.Restore(this->Surfaces.Restore(state.Numbers.data()));
     this->IsAtStart = false;
+    this->NoteCrossing();
     return this->Field.IsFinite() || this->EndWith(vtkFlowStatus::NOT_FINITE);
   }
   ///@}
@@ -482,11 +483,21 @@ private:
     this->CellBefore = from;
     this->HasPointRate = false;
     ++this->Result->Cells;
-    if (this->Recurrence.IsDue(this->Result->Cells, from, this->Field.GetCell()))
+    // Where another process has the cell, that looks.
+    if (this->Field.IsHere())
     {
-      this->LookForReturn(from);
+      this->NoteCrossing();
     }
     return true;
+  }
+
+  /// Looks for a return where the streamline has come into the cell, if that is due.
+  void NoteCrossing()
+  {
+    if (this->Recurrence.IsDue(this->Result->Cells, this->CellBefore, this->Field.GetCell()))
+    {
+      this->LookForReturn(this->CellBefore);
+    }
   }
 
   int GetNumberOfSteps() const { return this->Result->GetNumberOfSteps(); }

@@ -69,13 +69,18 @@ void CellTree::Box::Inflate()
   {
     double* ends = this->Bounds + 2 * axis;
     const double slack =
-      1e-10 * width + 32.0 * DBL_EPSILON * std::max(std::abs(ends[0]), std::abs(ends[1]));
+      1.01e-6 * width + 64.0 * DBL_EPSILON * std::max(std::abs(ends[0]), std::abs(ends[1]));
     ends[0] -= slack;
     ends[1] += slack;
   }
 }
 
-void CellTree::Build(vtkIdType numberOfCells, const CellBox& getBox)
+std::uint64_t CellTree::GetOrder(const double box[6]) const
+{
+  return GetCode(box, this->All.Bounds);
+}
+
+void CellTree::Build(vtkIdType numberOfCells, const CellBox& getBox, const Unite& unite)
 {
   this->Cells.clear();
   this->Levels.clear();
@@ -101,11 +106,14 @@ void CellTree::Build(vtkIdType numberOfCells, const CellBox& getBox)
         }
       }
     });
-  Box all;
-  all.Clear();
+  this->All.Clear();
   for (const Box& one : unions)
   {
-    all.Add(one.Bounds);
+    this->All.Add(one.Bounds);
+  }
+  if (unite)
+  {
+    unite(this->All.Bounds);
   }
 
   constexpr std::uint64_t none = ~std::uint64_t(0);
@@ -116,7 +124,7 @@ void CellTree::Build(vtkIdType numberOfCells, const CellBox& getBox)
       for (vtkIdType cell = first; cell < last; ++cell)
       {
         const double* box = boxes[cell].Bounds;
-        order[cell] = { box[0] <= box[1] ? GetCode(box, all.Bounds) : none, cell };
+        order[cell] = { box[0] <= box[1] ? this->GetOrder(box) : none, cell };
       }
     });
   vtkSMPTools::Sort(order.begin(), order.end());

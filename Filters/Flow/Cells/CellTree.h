@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -18,7 +19,7 @@ namespace interlume
  *
  * The tree is a bounding volume hierarchy over cells in Morton order of their boxes' centres:
  * leaves of eight cells, four children to a node. All threads build it, any number may read it, and
- * it is always the same.
+ * it is always the same. Cells whose boxes have the same place in that order come by their numbers.
  */
 class CellTree
 {
@@ -26,12 +27,25 @@ public:
   /// A function that gives lower and upper of x, y, z of a cell; false for a cell to leave out.
   using CellBox = std::function<bool(vtkIdType cell, double box[6])>;
 
-  void Build(vtkIdType numberOfCells, const CellBox& getBox);
+  /// A function that unites bounds, lower and upper of x, y, z, with those of other trees whose
+  /// cells are to be in the same order.
+  using Unite = std::function<void(double bounds[6])>;
+
+  void Build(vtkIdType numberOfCells, const CellBox& getBox, const Unite& unite = {});
+
+  /// Returns the place of a box in the order, before the number of its cell.
+  std::uint64_t GetOrder(const double box[6]) const;
+  /// Returns bounds beyond which Visit finds no cell; null without cells.
+  const double* GetBounds() const
+  {
+    return this->Levels.empty() ? nullptr : this->Levels.back().front().Bounds;
+  }
 
   /**
    * Calls visit(cell) for the cells of leaves whose box holds \a x, a superset of the cells that
    * hold it, in an order of the tree's, until it returns true. Returns whether it did. Boxes are a
-   * little larger than their cells, by more than the rounding of x.
+   * little larger than their cells, by more than those of InterpolatedCell::IsInBox: which cells
+   * share a leaf decides nothing.
    */
   template <typename Visitor>
   bool Visit(const double x[3], Visitor&& visit) const;
@@ -56,6 +70,8 @@ private:
     }
   };
 
+  // The bounds of all cells, here and in trees of the same order.
+  Box All;
   std::vector<vtkIdType> Cells;
   // The levels of boxes, the leaves first, the root last.
   std::vector<std::vector<Box>> Levels;

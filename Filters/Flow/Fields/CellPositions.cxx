@@ -55,9 +55,11 @@ std::string CellPositions::FindError(vtkIdType numberOfCells) const
     : "point " + std::to_string(this->FindPoint(worst)) + " is not finite";
 }
 
-void CellPositions::Build(vtkIdType numberOfCells, CellTree& tree) const
+void CellPositions::Build(
+  vtkIdType numberOfCells, CellTree& tree, const CellTree::Unite& unite) const
 {
-  tree.Build(numberOfCells,
+  tree.Build(
+    numberOfCells,
     [this](vtkIdType cell, double box[6])
     {
       vtkIdType points[8];
@@ -73,7 +75,8 @@ void CellPositions::Build(vtkIdType numberOfCells, CellTree& tree) const
         }
       }
       return number > 0;
-    });
+    },
+    unite);
 }
 
 }

@@ -29,7 +29,7 @@ public:
   /// Returns a message that names the first point of the first cell that is not finite; nothing
   /// without one.
   std::string FindError(vtkIdType numberOfCells) const;
-  void Build(vtkIdType numberOfCells, CellTree& tree) const;
+  void Build(vtkIdType numberOfCells, CellTree& tree, const CellTree::Unite& unite = {}) const;
 
 private:
   vtkIdType FindPoint(vtkIdType cell) const;

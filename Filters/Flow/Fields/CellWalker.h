@@ -66,11 +66,15 @@ namespace interlume
  * `FacesAreAffine` (static constexpr bool): whether face distances are affine in p, so that a dense
  * output's polynomial can be tested by its coefficients. They are affine in all walkers that exist.
  *
+ * `HasLanes` (static constexpr bool): whether there is a class LaneWalker that walks in several
+ * cells at once (AdvectionLanes).
+ *
  * FieldDispatch makes the walker of a dataset.
  */
 struct CellWalker
 {
   static constexpr bool FacesAreAffine = true;
+  static constexpr bool HasLanes = false;
 
   static constexpr bool IsHere() { return true; }
   bool IsAffine() const { return true; }

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cfloat>
 #include <cmath>
 #include <limits>
 
@@ -192,11 +191,15 @@ public:
       const Partner& partner = partners[i];
       if (partner.Place >= 0 && partners[partner.Place].Place == i)
       {
-        setLink(this->Places[i].Face, partner.Link);
-        const double width = std::min(this->Places[i].Width, this->Places[partner.Place].Width);
-        joins.Number += partner.Gap > 0.0 && partner.Place > i ? 1 : 0;
-        joins.LargestGap =
-          partner.Gap > 0.0 ? std::max(joins.LargestGap, partner.Gap / width) : joins.LargestGap;
+        FaceLinks::Link link = partner.Link;
+        if (partner.Gap > 0.0)
+        {
+          link.Gap =
+            partner.Gap / std::min(this->Places[i].Width, this->Places[partner.Place].Width);
+          joins.Number += partner.Place > i ? 1 : 0;
+          joins.LargestGap = std::max(joins.LargestGap, link.Gap);
+        }
+        setLink(this->Places[i].Face, link);
       }
     }
     return joins;
@@ -245,9 +248,8 @@ private:
       place.Middle[axis] = 0.5 * lower + 0.5 * upper;
       place.Along += line[axis] * place.Middle[axis];
     }
-    const double rounding =
-      64.0 * DBL_EPSILON * largest + 4.0 * this->Positions.GetRounding(largest);
-    place.Tolerance = std::min(FaceLinks::Tolerance * place.Width + rounding, 0.1 * place.Width);
+    place.Tolerance =
+      FaceLinks::GetTolerance(place.Width, largest, this->Positions.GetRounding(largest));
   }
 
   /// Finds the only other face with the same corners.
@@ -384,7 +386,7 @@ FaceLinks::Joins FaceLinks::Find(vtkIdType numberOfBlocks, int facesPerBlock, co
     static_cast<vtkIdType>(single.size()), fillOne, cellsOfOne, positions);
   return match.SetLinks(
     [&](vtkIdType i, const Link& link) {
-      setLink(single[i], { single[link.Face], link.Start, link.IsReversed });
+      setLink(single[i], { single[link.Face], link.Start, link.IsReversed, link.Gap });
     });
 }
 

@@ -6,6 +6,8 @@
 
 #include "vtkType.h"
 
+#include <algorithm>
+#include <cfloat>
 #include <functional>
 #include <vector>
 
@@ -53,12 +55,13 @@ public:
   using CellPoints = std::function<int(vtkIdType face, vtkIdType* points)>;
 
   /// A link to another face, and how its corners lie: corner i is corner \a Start + i, or \a Start
-  /// - i, of this one.
+  /// - i, of this one. Gap is the largest distance between corners, in widths of the cell.
   struct Link
   {
     vtkIdType Face;
     int Start;
     bool IsReversed;
+    double Gap = 0.0;
   };
   /// A function that is called once for each face that has another, by several threads, but never
   /// twice for one face.
@@ -73,6 +76,13 @@ public:
    */
   static Joins Find(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
     const CellPoints& cells, const ArrayRows& positions, const SetLink& setLink);
+
+  /// Returns the largest distance at which corners are the same, for the width of a cell, the
+  /// largest coordinate, and what rounding may have done to it.
+  static double GetTolerance(double width, double largest, double rounding)
+  {
+    return std::min(Tolerance * width + 64.0 * DBL_EPSILON * largest + 4.0 * rounding, 0.1 * width);
+  }
 
   /// Maps (u,v) in a face of three or four corners to (u,v) in the linked one.
   static void Map(int corners, int start, bool isReversed, double uv[2])

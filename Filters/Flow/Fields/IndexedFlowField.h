@@ -58,6 +58,15 @@ public:
     return this->GetPlace(index);
   }
 
+  /// Returns the cell with a number among those that are held.
+  Place GetHeldPlace(vtkIdType cell) const
+  {
+    const int index[3] = { this->HeldFirst[0] + static_cast<int>(cell % this->HeldCells[0]),
+      this->HeldFirst[1] + static_cast<int>(cell / this->HeldCells[0] % this->HeldCells[1]),
+      this->HeldFirst[2] + static_cast<int>(cell / this->HeldCells[0] / this->HeldCells[1]) };
+    return this->GetPlace(index);
+  }
+
   /// Returns whether a face is on the outside of the grid.
   bool IsOutside(const Place& place, int face) const
   {
@@ -173,6 +182,9 @@ protected:
     }
   }
 
+  /// Gives the points of a cell by its number among those that are held.
+  int GetHeldPoints(vtkIdType cell, vtkIdType* points) const;
+
   int Cells[3] = { 0, 0, 0 };
   vtkIdType CellStrides[3] = { 1, 0, 0 };
   vtkIdType PointStrides[3] = { 1, 0, 0 };
@@ -189,8 +201,6 @@ private:
     return this->IsPart() ? this->GetHeldCell(this->GetPlace(cell)) : cell;
   }
   vtkIdType GetHeldCell(const Place& place) const;
-  /// Gives the points of a cell by its number among those that are held.
-  int GetHeldPoints(vtkIdType cell, vtkIdType* points) const;
 
   bool Settle(const double slack[3], Place& place, double p[3]) const;
 

@@ -3,6 +3,7 @@
 #define interlume_IsoparametricWalker_h
 
 #include "Cells/InterpolatedCell.h"
+#include "Fields/CellFinding.h"
 #include "Fields/CellWalker.h"
 
 #include <algorithm>
@@ -19,7 +20,8 @@ namespace interlume
  * Position and vectors are interpolated by the same functions of p (InterpolatedCell), so that
  * nothing is inverted on the way. Only Locate needs Newton's method, in the cells that CellTree
  * finds. The cell that counts is the first one in the tree's order whose faces p is inside of;
- * without one it is the cell that p is the least outside of, where that is no more than rounding.
+ * without one it is the cell that p is the least outside of, where that is no more than rounding
+ * (CellFinding).
  *
  * A cell that is folded, where dx/dp has no inverse, or that is turned inside out beside its
  * neighbour, may send a streamline to and fro over a face without time passing: who walks counts
@@ -41,9 +43,32 @@ public:
 
   bool Locate(const double x[3], double p[3])
   {
-    return this->LocateFrom(x, false, p) || this->LocateFrom(x, true, p);
+    CellFinding found;
+    if (!this->Search(x, found))
+    {
+      return false;
+    }
+    this->EnterVectors();
+    std::copy(found.P, found.P + 3, p);
+    return true;
   }
 
+  /// Finds the cell as Locate does, among those that are here, all but the order. The walker then
+  /// stands nowhere.
+  bool Search(const double x[3], CellFinding& found)
+  {
+    return this->SearchFrom(x, false, found) || this->SearchFrom(x, true, found);
+  }
+  /// Stands in a cell of the field, wherever it stood before.
+  void GoTo(vtkIdType cell)
+  {
+    this->Stand = this->Shared->GetPlace(cell);
+    this->EnterPoints();
+    this->EnterVectors();
+  }
+
+  bool IsHere() const { return this->Shared->IsHere(this->Stand); }
+  const typename Field::Place& GetPlace() const { return this->Stand; }
   vtkIdType GetCell() const { return this->Stand.Cell; }
   bool IsFinite() const { return this->Cell.IsFinite(); }
 
@@ -80,8 +105,12 @@ public:
     {
       return false;
     }
-    this->EnterPoints();
-    this->EnterVectors();
+    // Another process may have what is there.
+    if (this->IsHere())
+    {
+      this->EnterPoints();
+      this->EnterVectors();
+    }
     return true;
   }
 
@@ -121,15 +150,14 @@ protected:
   }
 
   // Looks for x with one start of Newton's method, or with several.
-  bool LocateFrom(const double x[3], bool fromSeveral, double p[3])
+  bool SearchFrom(const double x[3], bool fromSeveral, CellFinding& found)
   {
     double leastOutside = VTK_DOUBLE_MAX;
     typename Field::Place best;
-    double bestPlace[3];
     this->Shared->GetTree().Visit(x,
       [&](vtkIdType cell)
       {
-        this->Stand = this->Shared->GetPlace(cell);
+        this->Stand = this->Shared->GetHeldPlace(cell);
         const int shape = this->Shared->GetShape(this->Stand);
         this->Shared->GetPoints(this->Stand, this->Cell.GetPoints());
         if (!this->Cell.IsInBox(shape, x))
@@ -137,17 +165,17 @@ protected:
           return false;
         }
         this->Cell.SetPoints(shape);
-        double found[3];
-        if (!this->Cell.FindPlace(x, fromSeveral, found))
+        double p[3];
+        if (!this->Cell.FindPlace(x, fromSeveral, p))
         {
           return false;
         }
-        const double outside = -this->Cell.GetDistance(found);
-        if (outside < leastOutside && outside <= this->GetSlack(x, found))
+        const double outside = -this->Cell.GetDistance(p);
+        if (outside < leastOutside && outside <= this->GetSlack(x, p))
         {
           leastOutside = outside;
           best = this->Stand;
-          std::copy(found, found + 3, bestPlace);
+          std::copy(p, p + 3, found.P);
         }
         return leastOutside <= 0.0;
       });
@@ -157,9 +185,11 @@ protected:
     }
     this->Stand = best;
     this->EnterPoints();
-    this->EnterVectors();
-    this->Cell.Clamp(bestPlace);
-    std::copy(bestPlace, bestPlace + 3, p);
+    this->Cell.Clamp(found.P);
+    found.IsFound = true;
+    found.IsFromSeveral = fromSeveral;
+    found.Outside = std::max(leastOutside, 0.0);
+    found.Cell = best.Cell;
     return true;
   }
 

@@ -25,6 +25,7 @@ public:
   template <typename Lanes>
   using LaneWalker = LatticeLanes<FieldType, Lanes>;
   static constexpr bool FacesAreAffine = true;
+  static constexpr bool HasLanes = true;
 
   explicit LatticeWalker(const Field* field)
     : Shared(field)

@@ -39,7 +39,9 @@ struct OpenInterfaces
       {
         for (vtkIdType i = first; i < last; ++i)
         {
-          if (HasCellBeyond(field, faces[static_cast<std::size_t>(i)]))
+          const vtkIdType face = faces[static_cast<std::size_t>(i)];
+          double x[3];
+          if (GetPlaceBeyond(field, face, x) && HasCell(field, face / 8, x))
           {
             ++number;
             vtkIdType known = least;
@@ -56,37 +58,42 @@ struct OpenInterfaces
     return found;
   }
 
+  /// Computes the place to look at beyond a face. Returns false where the face has collapsed, so
+  /// that nothing leaves by it.
+  template <typename Field>
+  static bool GetPlaceBeyond(const Field& field, vtkIdType face, double x[3])
+  {
+    InterpolatedCell cell;
+    const typename Field::Place place = field.GetPlace(face / 8);
+    field.GetPoints(place, cell.GetPoints());
+    cell.SetPoints(field.GetShape(place));
+    return GetPlaceBeyond(cell, static_cast<int>(face % 8), x);
+  }
+
+  /// Returns whether a cell that is not \a own holds x.
+  template <typename Field>
+  static bool HasCell(const Field& field, vtkIdType own, const double x[3])
+  {
+    InterpolatedCell cell;
+    return field.GetTree().Visit(x,
+      [&](vtkIdType other)
+      {
+        const typename Field::Place there = field.GetHeldPlace(other);
+        const int shape = field.GetShape(there);
+        field.GetPoints(there, cell.GetPoints());
+        if (there.Cell == own || !cell.IsInBox(shape, x))
+        {
+          return false;
+        }
+        cell.SetPoints(shape);
+        double p[3];
+        return cell.FindPlace(x, false, p) && cell.GetDistance(p) >= -1e-9;
+      });
+  }
+
 private:
   static constexpr double Step = 0.02;
 
-  template <typename Field>
-  static bool HasCellBeyond(const Field& field, vtkIdType face)
-  {
-    InterpolatedCell cell;
-    const vtkIdType own = face / 8;
-    const typename Field::Place place = field.GetPlace(own);
-    field.GetPoints(place, cell.GetPoints());
-    cell.SetPoints(field.GetShape(place));
-    double x[3];
-    return GetPlaceBeyond(cell, static_cast<int>(face % 8), x) &&
-      field.GetTree().Visit(x,
-        [&](vtkIdType other)
-        {
-          const typename Field::Place there = field.GetPlace(other);
-          const int shape = field.GetShape(there);
-          field.GetPoints(there, cell.GetPoints());
-          if (other == own || !cell.IsInBox(shape, x))
-          {
-            return false;
-          }
-          cell.SetPoints(shape);
-          double p[3];
-          return cell.FindPlace(x, false, p) && cell.GetDistance(p) >= -1e-9;
-        });
-  }
-
-  /// Computes the place beyond the face. Returns false where the face has collapsed, so that
-  /// nothing leaves by it.
   static bool GetPlaceBeyond(const InterpolatedCell& cell, int face, double x[3])
   {
     const CellShape& shape = CellShape::Of(cell.GetShape());

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/StructuredFlowField.h"
 
-#include "Fields/CellPositions.h"
-
 #include "vtkPoints.h"
 #include "vtkStructuredGrid.h"
 
@@ -10,30 +8,21 @@ namespace interlume
 {
 
 std::string StructuredFlowField::Build(vtkStructuredGrid* grid, vtkDataArray* vectors,
-  const std::vector<vtkDataArray*>& arrays, const StageProgress& progress)
+  const std::vector<vtkDataArray*>& arrays, const StageProgress& progress, const FieldPart* part)
 {
   int points[3];
   grid->GetDimensions(points);
-  std::string error = this->BuildIndices(grid, points, vectors, arrays, progress.GetPart(0.0, 0.2));
-  if (!error.empty() || !progress.Reach(0.2))
+  std::string error =
+    this->BuildIndices(grid, points, vectors, arrays, progress.GetPart(0.0, 0.2), part);
+  if (!error.empty() || !progress.Reach(0.2) || this->GetNumberOfCells() == 0)
   {
     return error;
   }
   this->Positions.Build(grid->GetPoints()->GetData());
-  const CellPositions positions(this->Positions,
-    [this](vtkIdType cell, vtkIdType* ids)
-    {
-      const Place place = this->GetPlace(cell);
-      for (int corner = 0; corner < 8; ++corner)
-      {
-        ids[corner] = this->GetCorner(place, corner);
-      }
-      return this->IsCellIncluded(cell) ? 8 : 0;
-    });
-  error = positions.FindError(this->GetNumberOfCells());
-  if (error.empty() && progress.Reach(0.3))
+  error = this->GetCellPositions().FindError(this->GetNumberOfCells());
+  if (error.empty() && !part && progress.Reach(0.3))
   {
-    positions.Build(this->GetNumberOfCells(), this->Tree);
+    this->BuildTree();
     if (progress.Reach(0.9))
     {
       this->FindSeams();
@@ -42,7 +31,26 @@ std::string StructuredFlowField::Build(vtkStructuredGrid* grid, vtkDataArray* ve
   return error;
 }
 
-std::vector<vtkIdType> StructuredFlowField::GetOutsideFaces() const
+CellPositions StructuredFlowField::GetCellPositions(
+  const std::function<bool(const Place&)>& isCounted) const
+{
+  return CellPositions(this->Positions,
+    [this, isCounted](vtkIdType cell, vtkIdType* ids)
+    {
+      const bool isPart =
+        FlowField::IsCellIncluded(cell) && (!isCounted || isCounted(this->GetHeldPlace(cell)));
+      return isPart ? this->GetHeldPoints(cell, ids) : 0;
+    });
+}
+
+void StructuredFlowField::BuildTree(
+  const std::function<bool(const Place&)>& isCounted, const CellTree::Unite& unite)
+{
+  this->GetCellPositions(isCounted).Build(this->GetNumberOfCells(), this->Tree, unite);
+}
+
+std::vector<vtkIdType> StructuredFlowField::GetOutsideFaces(
+  const int first[3], const int last[3]) const
 {
   std::vector<vtkIdType> faces;
   for (int face = 0; face < 6; ++face)
@@ -51,9 +59,15 @@ std::vector<vtkIdType> StructuredFlowField::GetOutsideFaces() const
     const int across[2] = { (axis + 1) % 3, (axis + 2) % 3 };
     int index[3];
     index[axis] = face & 1 ? this->Cells[axis] - 1 : 0;
-    for (index[across[1]] = 0; index[across[1]] < this->Cells[across[1]]; ++index[across[1]])
+    if (index[axis] < first[axis] || index[axis] > last[axis])
     {
-      for (index[across[0]] = 0; index[across[0]] < this->Cells[across[0]]; ++index[across[0]])
+      continue;
+    }
+    for (index[across[1]] = first[across[1]]; index[across[1]] <= last[across[1]];
+         ++index[across[1]])
+    {
+      for (index[across[0]] = first[across[0]]; index[across[0]] <= last[across[0]];
+           ++index[across[0]])
       {
         const vtkIdType cell = this->GetPlace(index).Cell;
         if (this->IsCellIncluded(cell))
@@ -67,9 +81,15 @@ std::vector<vtkIdType> StructuredFlowField::GetOutsideFaces() const
   return faces;
 }
 
-std::vector<vtkIdType> StructuredFlowField::GetOuterFaces() const
+std::vector<vtkIdType> StructuredFlowField::GetOutsideFaces() const
 {
-  std::vector<vtkIdType> faces = this->GetOutsideFaces();
+  const int first[3] = { 0, 0, 0 };
+  const int last[3] = { this->Cells[0] - 1, this->Cells[1] - 1, this->Cells[2] - 1 };
+  return this->GetOutsideFaces(first, last);
+}
+
+std::vector<vtkIdType> StructuredFlowField::WithoutSeams(std::vector<vtkIdType> faces) const
+{
   const auto isSeam = [this](vtkIdType face)
   { return this->FindSeam(face / 8, static_cast<int>(face % 8)) != nullptr; };
   faces.erase(std::remove_if(faces.begin(), faces.end(), isSeam), faces.end());
@@ -91,7 +111,7 @@ void StructuredFlowField::FindSeams()
 {
   const std::vector<vtkIdType> faces = this->GetOutsideFaces();
   std::vector<FaceLinks::Link> links(faces.size(), FaceLinks::Link{ -1, 0, false });
-  this->Joins = FaceLinks::Find(
+  const FaceLinks::Joins joins = FaceLinks::Find(
     static_cast<vtkIdType>(faces.size()), 1,
     [&](vtkIdType i, FaceLinks::Block& block)
     { block.Corners[0] = this->GetFacePoints(faces[i], block.Points[0]); },
@@ -105,15 +125,23 @@ void StructuredFlowField::FindSeams()
       return 8;
     },
     this->Positions, [&](vtkIdType i, const FaceLinks::Link& link) { links[i] = link; });
-  this->Seams.clear();
-  for (std::size_t i = 0; i < faces.size(); ++i)
+  this->SetSeams(GetSeams(faces, faces, links), joins);
+}
+
+std::vector<StructuredFlowField::Seam> StructuredFlowField::GetSeams(
+  const std::vector<vtkIdType>& own, const std::vector<vtkIdType>& all,
+  const std::vector<FaceLinks::Link>& links)
+{
+  std::vector<Seam> seams;
+  for (std::size_t i = 0; i < own.size(); ++i)
   {
     if (links[i].Face >= 0)
     {
-      this->Seams.push_back({ faces[i], links[i] });
-      this->Seams.back().Link.Face = faces[links[i].Face];
+      seams.push_back({ own[i], links[i] });
+      seams.back().Link.Face = all[static_cast<std::size_t>(links[i].Face)];
     }
   }
+  return seams;
 }
 
 const StructuredFlowField::Seam* StructuredFlowField::FindSeam(vtkIdType cell, int face) const

@@ -4,6 +4,7 @@
 
 #include "Cells/CellShape.h"
 #include "Cells/CellTree.h"
+#include "Fields/CellPositions.h"
 #include "Fields/FaceLinks.h"
 #include "Fields/IndexedFlowField.h"
 
@@ -19,6 +20,9 @@ namespace interlume
  * Where faces on the outside have the same coordinates (FaceLinks), as along the cut of an O- or
  * C-grid, the grid goes on from one to the other.
  *
+ * Of a part of a grid Build takes the points and the arrays alone: the tree and the seams are to be
+ * made by BuildTree and SetSeams.
+ *
  * Errors of Build: those of the arrays; a grid without cells of dimension 3; a point of the field
  * that is not finite.
  */
@@ -30,7 +34,8 @@ public:
   using IndexedFlowField::GetPlace;
 
   std::string Build(vtkStructuredGrid* grid, vtkDataArray* vectors,
-    const std::vector<vtkDataArray*>& arrays = {}, const StageProgress& progress = {});
+    const std::vector<vtkDataArray*>& arrays = {}, const StageProgress& progress = {},
+    const FieldPart* part = nullptr);
 
   int GetShape(const Place&) const { return CellShape::HEXAHEDRON; }
   void GetPoints(const Place& place, Trilinear& points) const
@@ -68,7 +73,10 @@ public:
   }
   /// Returns the faces on the outside that are no seam, as eight times their cell and their number
   /// there, ascending.
-  std::vector<vtkIdType> GetOuterFaces() const;
+  std::vector<vtkIdType> GetOuterFaces() const
+  {
+    return this->WithoutSeams(this->GetOutsideFaces());
+  }
   /// Returns the joins of the seams, each pair once.
   const FaceLinks::Joins& GetJoins() const { return this->Joins; }
 
@@ -79,15 +87,35 @@ public:
       (this->Seams.empty() || !this->FindSeam(place.Cell, face));
   }
 
-private:
-  // A seam. A face is eight times its cell, and its number there.
+protected:
+  /// A seam. A face is eight times its cell, and its number there.
   struct Seam
   {
     vtkIdType Face;
     FaceLinks::Link Link;
   };
 
+  /// Makes the tree of those cells that \a isCounted is true of.
+  void BuildTree(
+    const std::function<bool(const Place&)>& isCounted = {}, const CellTree::Unite& unite = {});
+  /// Returns the faces on the outside of the cells with indices from first to last, ascending.
+  std::vector<vtkIdType> GetOutsideFaces(const int first[3], const int last[3]) const;
+  std::vector<vtkIdType> WithoutSeams(std::vector<vtkIdType> faces) const;
+  /// Returns the seams among the faces \a own: link i is of the i-th, and to one of \a all by its
+  /// index there.
+  static std::vector<Seam> GetSeams(const std::vector<vtkIdType>& own,
+    const std::vector<vtkIdType>& all, const std::vector<FaceLinks::Link>& links);
+  /// Takes the seams, by ascending face.
+  void SetSeams(std::vector<Seam>&& seams, const FaceLinks::Joins& joins)
+  {
+    this->Seams = std::move(seams);
+    this->Joins = joins;
+  }
+  const ArrayRows& GetPositions() const { return this->Positions; }
+
+private:
   std::vector<vtkIdType> GetOutsideFaces() const;
+  CellPositions GetCellPositions(const std::function<bool(const Place&)>& isCounted = {}) const;
   int GetFacePoints(vtkIdType face, vtkIdType* points) const;
   void FindSeams();
   const Seam* FindSeam(vtkIdType cell, int face) const;

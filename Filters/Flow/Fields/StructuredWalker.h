@@ -9,13 +9,16 @@ namespace interlume
 {
 
 /**
- * @class   StructuredWalker
+ * @class   StructuredWalkerOf
  * @brief   the walker of structured grids: neighbours by index, and over the cut of O- and C-grids
+ *
+ * \a FieldType is StructuredFlowField, or derived from it.
  */
-class StructuredWalker : public IsoparametricWalker<StructuredFlowField>
+template <typename FieldType>
+class StructuredWalkerOf : public IsoparametricWalker<FieldType>
 {
 public:
-  using IsoparametricWalker::IsoparametricWalker;
+  using IsoparametricWalker<FieldType>::IsoparametricWalker;
 
   void Prefetch(int face, int round) const
   {
@@ -33,6 +36,8 @@ public:
     this->Shared->GetParameters(this->Stand, face, p, uv);
   }
 };
+
+using StructuredWalker = StructuredWalkerOf<StructuredFlowField>;
 
 }
 

@@ -55,6 +55,10 @@ public:
     place.Type = this->OnlyType ? this->OnlyType : this->Types[cell];
     return place;
   }
+  /// The same, as all cells are held.
+  Place GetHeldPlace(vtkIdType cell) const { return this->GetPlace(cell); }
+  /// Returns whether streamlines may go on in a cell.
+  static constexpr bool IsHere(const Place&) { return true; }
   int GetShape(const Place& place) const { return GetCorners(place.Type).Shape; }
 
   void GetPoints(const Place& place, Trilinear& points) const

@@ -285,6 +285,7 @@ std::string ImplicitFlowRun::ExecuteInRanks(
     return error;
   }
   this->Describe(streamlines->GetField());
+  streamlines->Describe(this->Report);
   this->FollowAll(*streamlines, samples, 6);
   RankExchange& exchange = this->Ranks->GetExchange();
   std::vector<vtkIdType> steps(static_cast<std::size_t>(exchange.GetNumberOfRanks()), 0);

@@ -53,7 +53,7 @@ Size GetStrides(const Size& points)
 }
 
 /// The places of the samples in a row of points.
-std::vector<vtkIdType> GetPlaces(vtkIdType points, vtkIdType stride)
+std::vector<vtkIdType> GetRow(vtkIdType points, vtkIdType stride)
 {
   std::vector<vtkIdType> places;
   for (vtkIdType place = 0; place < points - 1; place += stride)
@@ -132,14 +132,8 @@ vtkSmartPointer<vtkDataArray> Choose(
 
 vtkSmartPointer<vtkDataSet> ThinGrid(vtkDataSet* field, const int before[6], const int extent[6])
 {
-  const Size points = GetSize(before);
-  const Size strides = GetStrides(points);
-  std::array<std::vector<vtkIdType>, 3> places;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    places[axis] = GetPlaces(points[axis], strides[axis]);
-  }
-  const vtkSmartPointer<vtkIdList> ids = GetIds(points, places);
+  const std::array<std::vector<vtkIdType>, 3> places = SampleGrid::GetPlaces(before);
+  const vtkSmartPointer<vtkIdList> ids = GetIds(GetSize(before), places);
   int whole[6];
   std::copy_n(extent, 6, whole);
   vtkSmartPointer<vtkDataSet> samples;
@@ -238,8 +232,20 @@ void SampleGrid::GetExtent(const int field[6], int samples[6])
   for (int axis = 0; axis < 3; ++axis)
   {
     samples[2 * axis] = 0;
-    samples[2 * axis + 1] = static_cast<int>(GetPlaces(points[axis], strides[axis]).size()) - 1;
+    samples[2 * axis + 1] = static_cast<int>(GetRow(points[axis], strides[axis]).size()) - 1;
   }
+}
+
+std::array<std::vector<vtkIdType>, 3> SampleGrid::GetPlaces(const int field[6])
+{
+  const Size points = GetSize(field);
+  const Size strides = GetStrides(points);
+  std::array<std::vector<vtkIdType>, 3> places;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    places[axis] = GetRow(points[axis], strides[axis]);
+  }
+  return places;
 }
 
 vtkSmartPointer<vtkDataSet> SampleGrid::Make(vtkDataSet* field)

@@ -5,6 +5,9 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <array>
+#include <vector>
+
 class vtkDataSet;
 
 namespace interlume
@@ -28,6 +31,9 @@ public:
   /// Computes the extent of the samples of a field with an extent: itself, or another that begins
   /// at 0.
   static void GetExtent(const int field[6], int samples[6]);
+
+  /// Returns the places of the samples in the rows of points along each direction, from 0.
+  static std::array<std::vector<vtkIdType>, 3> GetPlaces(const int field[6]);
 
   /// Makes the samples; returns \a field itself where it has few points.
   static vtkSmartPointer<vtkDataSet> Make(vtkDataSet* field);

@@ -3,14 +3,11 @@
 #define interlume_LocalStreamlines_h
 
 #include "Advection/AdvectionLanes.h"
-#include "Fields/ImageWalker.h"
 #include "Streams/LatticeSteps.h"
 #include "Streams/SampleStreams.h"
 #include "Streams/Streamlines.h"
 
 #include "vtkSMPTools.h"
-
-#include <type_traits>
 
 namespace interlume
 {
@@ -71,15 +68,17 @@ public:
 
   static Velocity GetVelocity(Walker& walker, const double x[3])
   {
-    Velocity velocity;
     double p[3];
-    velocity.IsInField = walker.Locate(x, p);
-    if (velocity.IsInField)
-    {
-      double rate[3];
-      walker.GetVelocity(p, rate);
-      walker.GetWorldVector(p, rate, velocity.V);
-    }
+    return walker.Locate(x, p) ? GetVelocityAt(walker, p) : Velocity();
+  }
+  /// Returns the velocity at a place in the cell that the walker stands in.
+  static Velocity GetVelocityAt(const Walker& walker, const double p[3])
+  {
+    Velocity velocity;
+    velocity.IsInField = true;
+    double rate[3];
+    walker.GetVelocity(p, rate);
+    walker.GetWorldVector(p, rate, velocity.V);
     return velocity;
   }
 
@@ -88,7 +87,7 @@ private:
   template <typename Begin, typename End>
   void FollowEach(const AdvectionOptions& options, Begin&& begin, End&& end) const
   {
-    if constexpr (std::is_same_v<Walker, ImageWalker> || std::is_same_v<Walker, RectilinearWalker>)
+    if constexpr (Walker::HasLanes)
     {
       using Group = AdvectionLanes<Walker, LatticeSteps::Four>;
       Group advection(this->Field, options, LatticeSteps::Take);

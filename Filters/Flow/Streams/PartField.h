@@ -8,6 +8,7 @@
 #include "Fields/RectilinearFlowField.h"
 #include "Fields/SpeedScale.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -16,19 +17,21 @@ namespace interlume
 
 /**
  * @class   PartField
- * @brief   a field on an image or a rectilinear grid of which a process holds a part
+ * @brief   a field on a grid of rows of which a process holds a part
  *
  * Cells, indices and positions are those of the whole grid, to the last bit, so that a streamline
  * is the same wherever it is followed. A walker may stand in any cell that is held; it is to go on
  * only in cells that are the process's own (IsHere), all of whose neighbours are held.
  *
- * \a Whole is ImageFlowField or RectilinearFlowField.
+ * \a Whole is ImageFlowField, RectilinearFlowField, or StructuredFlowField.
  */
 template <typename Whole>
 class PartField : public Whole
 {
 public:
   using Place = typename Whole::Place;
+  /// Whether cells have to be searched for a position; else it tells their index.
+  static constexpr bool IsSearched = false;
 
   /// Builds the field as Whole does, of the data of \a part. Its speeds are not known before
   /// SetSpeeds.
@@ -71,6 +74,14 @@ public:
     const bool isThere = this->Step(next, face) && this->IsHere(next);
     place = isThere ? next : place;
     return isThere;
+  }
+
+protected:
+  /// Returns the indices of the first and the last own cell; the last is less without any.
+  void GetOwn(int first[3], int last[3]) const
+  {
+    std::copy_n(this->First, 3, first);
+    std::copy_n(this->Last, 3, last);
   }
 
 private:

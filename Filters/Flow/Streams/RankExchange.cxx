@@ -43,6 +43,21 @@ void RankExchange::Maximize(std::vector<double>& numbers)
     own.data(), numbers.data(), static_cast<vtkIdType>(own.size()), vtkCommunicator::MAX_OP);
 }
 
+void RankExchange::Unite(double bounds[6])
+{
+  std::vector<double> ends(6);
+  const auto turn = [](std::size_t i, double end) { return i % 2 ? end : -end; };
+  for (std::size_t i = 0; i < 6; ++i)
+  {
+    ends[i] = turn(i, bounds[i]);
+  }
+  this->Maximize(ends);
+  for (std::size_t i = 0; i < 6; ++i)
+  {
+    bounds[i] = turn(i, ends[i]);
+  }
+}
+
 bool RankExchange::IsAnywhere(bool here)
 {
   std::vector<vtkIdType> number{ here ? 1 : 0 };

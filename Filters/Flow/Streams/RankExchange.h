@@ -38,6 +38,8 @@ public:
   void Add(std::vector<vtkIdType>& numbers);
   /// Replaces numbers by the largest of all processes.
   void Maximize(std::vector<double>& numbers);
+  /// Replaces lower and upper x, y, z by those of the box around the boxes of all processes.
+  void Unite(double bounds[6]);
   /// Returns whether anything is so in any process.
   bool IsAnywhere(bool here);
   /// Returns the first process's text that is not empty.

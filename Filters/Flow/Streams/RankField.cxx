@@ -11,6 +11,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
+#include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -144,6 +145,10 @@ std::string RankField::CheckData(vtkDataSet* data) const
   {
     grid->GetExtent(held);
   }
+  else if (vtkStructuredGrid* curved = vtkStructuredGrid::SafeDownCast(data))
+  {
+    curved->GetExtent(held);
+  }
   const Extent asked = this->GetHeld();
   for (std::size_t axis = 0; axis < 3 && !this->IsEmpty(); ++axis)
   {
@@ -167,8 +172,16 @@ std::string RankField::SetData(vtkDataSet* data)
   std::copy_n(this->WholeExtent.begin(), 6, this->Part.WholeExtent);
   std::copy_n(
     this->Own[static_cast<std::size_t>(this->Exchange.GetRank())].begin(), 6, this->Part.Own);
-  const std::string error =
-    vtkImageData::SafeDownCast(data) ? this->MakeImage(data) : this->MakeRectilinearGrid(data);
+  std::string error;
+  if (vtkStructuredGrid::SafeDownCast(data))
+  {
+    this->MakeStructuredGrid(data);
+  }
+  else
+  {
+    error =
+      vtkImageData::SafeDownCast(data) ? this->MakeImage(data) : this->MakeRectilinearGrid(data);
+  }
   this->Part.Whole = this->Whole;
   return this->Exchange.FindFirst(error);
 }
@@ -226,6 +239,33 @@ std::string RankField::MakeRectilinearGrid(vtkDataSet* data)
   whole->SetZCoordinates(coordinates[2]);
   this->Whole = whole;
   return {};
+}
+
+void RankField::MakeStructuredGrid(vtkDataSet* data)
+{
+  vtkStructuredGrid::SafeDownCast(data)->GetExtent(this->Part.Held);
+  double bounds[6] = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX,
+    VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  if (!this->IsEmpty())
+  {
+    this->Data->GetBounds(bounds);
+  }
+  this->Exchange.Unite(bounds);
+  const vtkSmartPointer<vtkRectilinearGrid> whole = vtkSmartPointer<vtkRectilinearGrid>::New();
+  whole->SetExtent(this->WholeExtent.data());
+  vtkNew<vtkDoubleArray> coordinates[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto first = static_cast<std::size_t>(2 * axis);
+    const int number = this->WholeExtent[first + 1] - this->WholeExtent[first] + 1;
+    coordinates[axis]->SetNumberOfTuples(number);
+    coordinates[axis]->Fill(bounds[2 * axis]);
+    coordinates[axis]->SetValue(number - 1, bounds[2 * axis + 1]);
+  }
+  whole->SetXCoordinates(coordinates[0]);
+  whole->SetYCoordinates(coordinates[1]);
+  whole->SetZCoordinates(coordinates[2]);
+  this->Whole = whole;
 }
 
 }

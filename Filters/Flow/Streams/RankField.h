@@ -18,7 +18,7 @@ namespace interlume
 
 /**
  * @class   RankField
- * @brief   a field on an image or a rectilinear grid, in parts that processes hold
+ * @brief   a field on an image, a rectilinear or a structured grid, in parts that processes hold
  *
  * The cells of the whole extent are split as VTK splits extents in blocks. A process holds its own
  * cells and one layer of cells around them, as a piece with one ghost level.
@@ -44,7 +44,8 @@ public:
   std::string SetData(vtkDataSet* data);
 
   vtkDataSet* GetData() const { return this->Data; }
-  /// Returns the whole grid, without arrays.
+  /// Returns the whole grid, without arrays. That of a structured grid is a rectilinear one with
+  /// its bounds, and as many points.
   vtkDataSet* GetWhole() const { return this->Whole; }
   const FieldPart& GetPart() const { return this->Part; }
   RankExchange& GetExchange() { return this->Exchange; }
@@ -53,6 +54,7 @@ private:
   std::string CheckData(vtkDataSet* data) const;
   std::string MakeImage(vtkDataSet* data);
   std::string MakeRectilinearGrid(vtkDataSet* data);
+  void MakeStructuredGrid(vtkDataSet* data);
 
   RankExchange Exchange;
   Extent WholeExtent;

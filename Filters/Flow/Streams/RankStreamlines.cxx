@@ -6,16 +6,20 @@
 #include "Streams/LocalStreamlines.h"
 #include "Streams/MessageBytes.h"
 #include "Streams/PartField.h"
+#include "Streams/PartSearch.h"
 #include "Streams/RankField.h"
 #include "Streams/SampleStreams.h"
+#include "Streams/StructuredPartField.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkFlowReport.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
+#include "vtkStructuredGrid.h"
 
 #include <deque>
 #include <iterator>
@@ -26,13 +30,17 @@ namespace interlume
 
 namespace
 {
-/// What a message is about: a position to begin at, a streamline to go on with, a result; a
+/// What a message is about: a position to begin at; a position to look for, where others do so too,
+/// and what was found; a streamline to go on with, a result; that the execution was aborted; a
 /// position to find the velocity at, and the velocity.
 enum class Kind : int
 {
   Start,
+  Search,
+  Finding,
   GoOn,
   Result,
+  Aborted,
   Position,
   Velocity
 };
@@ -60,6 +68,14 @@ void PutHead(RankExchange::Bytes& bytes, Kind kind, const Question& question)
   MessageBytes::Put(bytes, question.Number);
 }
 
+void PutPosition(RankExchange::Bytes& bytes, const double x[3])
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    MessageBytes::Put(bytes, x[axis]);
+  }
+}
+
 using Outbox = std::vector<RankExchange::Bytes>;
 
 template <typename Walker>
@@ -72,6 +88,7 @@ public:
     : Ranks(ranks)
     , Exchange(ranks.GetExchange())
     , Owner(owner)
+    , Cells(Shared, ranks)
   {
   }
 
@@ -89,6 +106,10 @@ public:
       this->Exchange.Add(nonFinite);
       speeds.NonFinite = nonFinite[0];
       this->Shared.SetSpeeds(speeds);
+      if constexpr (Field::IsSearched)
+      {
+        this->Shared.Join(this->Exchange);
+      }
     }
     return wrong;
   }
@@ -96,6 +117,21 @@ public:
   const FlowField& GetField() const override { return this->Shared; }
   vtkIdType GetNumberOfSteps() const override { return this->Steps; }
   vtkIdType GetNumberOfHandedOn() const override { return this->HandedOn; }
+  void Describe(vtkFlowReport& report) const override
+  {
+    if constexpr (Field::IsSearched)
+    {
+      std::vector<vtkIdType> joined{ this->Shared.GetJoins().Number };
+      std::vector<double> gap{ this->Shared.GetJoins().LargestGap };
+      this->Exchange.Add(joined);
+      this->Exchange.Maximize(gap);
+      report.JoinedFaces = joined[0];
+      report.LargestJoinedGap = gap[0];
+      const OpenInterfaces open = this->Shared.FindOpenInterfaces(this->Exchange);
+      report.OpenInterfaces = open.Number;
+      report.FirstOpenCell = open.FirstCell;
+    }
+  }
 
   bool Follow(const AdvectionOptions& options, vtkIdType number, const GetPosition& start,
     const Take& take, double begin, double end) override
@@ -104,33 +140,36 @@ public:
     {
       return !this->Exchange.IsAnywhere(this->Owner->GetAbortExecute());
     }
-    std::deque<Waiting> queue;
+    Job job{ options, start, take, {}, {} };
     vtkIdType begun = 0;
-    vtkIdType taken = 0;
-    bool isAborted = false;
     this->Exchange.Run(
       [&](const RankExchange::Bytes& received, Outbox& sent)
       {
-        taken += this->Receive(received, queue, take);
-        std::vector<Waiting> batch = this->TakeBatch(queue);
+        this->Receive(received, job, sent);
+        this->Search(job.Searched, sent);
+        std::vector<Waiting> batch = TakeBatch(job.Queue);
         const auto all =
           std::min(number, begun + MostInBatch - static_cast<vtkIdType>(batch.size()));
-        for (; begun < all; ++begun)
+        for (; begun < all && !job.IsAborted; ++begun)
         {
-          taken += this->Begin(options, begun, start, take, batch, sent);
+          this->Begin(begun, job, batch, sent);
         }
-        taken += this->FollowBatch(options, batch, take, sent);
-        const double share = number > 0 ? static_cast<double>(taken) / number : 1.0;
+        job.Ended += this->FollowBatch(options, batch, take, sent);
+        const double share = number > 0 ? static_cast<double>(job.Ended) / number : 1.0;
         this->Owner->UpdateProgress(begin + share * (end - begin));
-        isAborted = isAborted || this->Owner->GetAbortExecute();
-        if (isAborted)
+        if (!job.IsAborted && this->Owner->GetAbortExecute())
         {
-          queue.clear();
+          job.IsAborted = true;
+          this->TellOfAbort(sent);
+        }
+        if (job.IsAborted)
+        {
+          job.Queue.clear();
           begun = number;
         }
-        return queue.empty() && begun == number;
+        return job.Queue.empty() && begun == number;
       });
-    return !this->Exchange.IsAnywhere(isAborted);
+    return !this->Exchange.IsAnywhere(job.IsAborted);
   }
 
   std::vector<Velocity> GetVelocities(vtkIdType number, const GetPosition& position) override
@@ -141,6 +180,8 @@ public:
       return velocities;
     }
     bool hasBegun = false;
+    std::vector<CellFinding> best(velocities.size());
+    std::vector<int> ranks;
     Walker walker(&this->Shared);
     this->Exchange.Run(
       [&](const RankExchange::Bytes& received, Outbox& sent)
@@ -149,7 +190,8 @@ public:
         {
           double x[3];
           position(i, x);
-          this->Send(Kind::Position, { this->Exchange.GetRank(), i }, x, sent);
+          this->Cells.FindRanks(x, ranks);
+          this->Send(Kind::Position, { this->Exchange.GetRank(), i }, x, ranks, sent);
         }
         hasBegun = true;
         const char* at = received.data();
@@ -158,16 +200,28 @@ public:
           Kind kind;
           Question question;
           GetHead(at, kind, question);
+          CellFinding finding;
+          Velocity velocity;
           if (kind == Kind::Velocity)
           {
-            MessageBytes::Get(at, velocities[static_cast<std::size_t>(question.Number)]);
+            const auto i = static_cast<std::size_t>(question.Number);
+            MessageBytes::Get(at, finding);
+            MessageBytes::Get(at, velocity);
+            velocities[i] = finding.IsBefore(best[i]) ? velocity : velocities[i];
+            best[i] = finding.IsBefore(best[i]) ? finding : best[i];
             continue;
           }
           double x[3];
           MessageBytes::Get(at, x);
+          finding = this->Cells.Find(walker, x);
+          if (finding.IsFound)
+          {
+            velocity = LocalStreamlines<Walker>::GetVelocityAt(walker, finding.P);
+          }
           RankExchange::Bytes& answer = sent[static_cast<std::size_t>(question.Rank)];
           PutHead(answer, Kind::Velocity, question);
-          MessageBytes::Put(answer, LocalStreamlines<Walker>::GetVelocity(walker, x));
+          MessageBytes::Put(answer, finding);
+          MessageBytes::Put(answer, velocity);
         }
         return true;
       });
@@ -175,6 +229,21 @@ public:
   }
 
 private:
+  /// What is asked of this process, and how far it is.
+  struct Job
+  {
+    const AdvectionOptions& Options;
+    const GetPosition& Start;
+    const Take& TakeResult;
+    /// What waits to be followed, and positions that others want to be looked for.
+    std::deque<Waiting> Queue;
+    std::vector<Waiting> Searched;
+    /// How many of this process's streamlines have ended.
+    vtkIdType Ended = 0;
+    /// Whether the execution was aborted, here or in another process.
+    bool IsAborted = false;
+  };
+
   // The most streamlines that are followed until others are listened to again.
   static constexpr vtkIdType MostInBatch = 4096;
 
@@ -185,50 +254,121 @@ private:
     MessageBytes::Get(at, question.Number);
   }
 
-  /// Sends a position to the process that has the cell there. Returns false where there is none.
-  bool Send(Kind kind, const Question& question, const double x[3], Outbox& sent) const
+  /// Sends a position to processes.
+  static void Send(Kind kind, const Question& question, const double x[3],
+    const std::vector<int>& ranks, Outbox& sent)
   {
-    const int rank = this->FindRank(x);
-    if (rank >= 0)
+    for (const int rank : ranks)
     {
       RankExchange::Bytes& bytes = sent[static_cast<std::size_t>(rank)];
       PutHead(bytes, kind, question);
-      bytes.insert(bytes.end(), reinterpret_cast<const char*>(x),
-        reinterpret_cast<const char*>(x) + 3 * sizeof(double));
+      PutPosition(bytes, x);
     }
-    return rank >= 0;
   }
 
-  /// Returns the process in whose part of the grid a position is; -1 outside.
-  int FindRank(const double x[3]) const
-  {
-    int index[3];
-    double p[3];
-    return this->Shared.LocateIndex(x, index, p) ? this->Ranks.FindRank(index) : -1;
-  }
-
-  /// Sends a start to where its cell is, or adds it to what is followed here. Returns how many have
-  /// ended by being outside.
-  vtkIdType Begin(const AdvectionOptions& options, vtkIdType i, const GetPosition& start,
-    const Take& take, std::vector<Waiting>& batch, Outbox& sent) const
+  /// Sends a start to where its cell is, or adds it to what is followed here; where several
+  /// processes may have the cell, they look first.
+  void Begin(vtkIdType i, Job& job, std::vector<Waiting>& batch, Outbox& sent)
   {
     Waiting waiting;
     waiting.For = { this->Exchange.GetRank(), i };
-    start(i, waiting.X);
-    if (this->FindRank(waiting.X) == this->Exchange.GetRank())
+    job.Start(i, waiting.X);
+    std::vector<int>& ranks = this->RanksOfStart;
+    this->Cells.FindRanks(waiting.X, ranks);
+    if (ranks.empty())
+    {
+      EndOutside(i, waiting.X, job);
+    }
+    else if (ranks.size() > 1)
+    {
+      this->Cells.Expect(i, ranks.size());
+      Send(Kind::Search, waiting.For, waiting.X, ranks, sent);
+    }
+    else if (ranks.front() == this->Exchange.GetRank())
     {
       batch.push_back(std::move(waiting));
-      return 0;
     }
-    if (this->Send(Kind::Start, waiting.For, waiting.X, sent))
+    else
     {
-      return 0;
+      Send(Kind::Start, waiting.For, waiting.X, ranks, sent);
     }
+  }
+
+  static void EndOutside(vtkIdType i, const double x[3], Job& job)
+  {
     AdvectionResult outside;
-    outside.Means.assign(options.MeanNumbers.size(), 0.0);
-    std::copy_n(waiting.X, 3, outside.Position);
-    take(i, outside);
-    return 1;
+    outside.Means.assign(job.Options.MeanNumbers.size(), 0.0);
+    std::copy_n(x, 3, outside.Position);
+    job.TakeResult(i, outside);
+    ++job.Ended;
+  }
+
+  /// Looks for the cells at positions, and sends what was found.
+  void Search(std::vector<Waiting>& positions, Outbox& sent) const
+  {
+    std::vector<CellFinding> findings(positions.size());
+    vtkSMPTools::For(0, static_cast<vtkIdType>(positions.size()),
+      [&](vtkIdType first, vtkIdType last)
+      {
+        Walker walker(&this->Shared);
+        for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
+        {
+          findings[i] = this->Cells.Find(walker, positions[i].X);
+        }
+      });
+    for (std::size_t i = 0; i < positions.size(); ++i)
+    {
+      RankExchange::Bytes& answer = sent[static_cast<std::size_t>(positions[i].For.Rank)];
+      PutHead(answer, Kind::Finding, positions[i].For);
+      MessageBytes::Put(answer, this->Exchange.GetRank());
+      MessageBytes::Put(answer, findings[i]);
+    }
+    positions.clear();
+  }
+
+  /// Begins a streamline in the cell that was found, in whichever process.
+  void BeginAt(const Question& question, const typename PartSearch<Walker>::Best& best, Job& job,
+    Outbox& sent) const
+  {
+    double x[3];
+    job.Start(question.Number, x);
+    if (!best.Finding.IsFound)
+    {
+      EndOutside(question.Number, x, job);
+      return;
+    }
+    Waiting waiting;
+    waiting.For = question;
+    waiting.State = std::make_unique<AdvectionState>();
+    std::copy_n(x, 3, waiting.State->Values.Result.Position);
+    waiting.State->Values.Cell = best.Finding.Cell;
+    std::copy_n(best.Finding.P, 3, waiting.State->Values.Point);
+    if (best.Rank == this->Exchange.GetRank())
+    {
+      job.Queue.push_back(std::move(waiting));
+      return;
+    }
+    PutState(question, *waiting.State, sent[static_cast<std::size_t>(best.Rank)]);
+  }
+
+  /// Has all processes end.
+  void TellOfAbort(Outbox& sent) const
+  {
+    for (int rank = 0; rank < this->Exchange.GetNumberOfRanks(); ++rank)
+    {
+      if (rank != this->Exchange.GetRank())
+      {
+        PutHead(sent[static_cast<std::size_t>(rank)], Kind::Aborted, Question());
+      }
+    }
+  }
+
+  static void PutState(
+    const Question& question, const AdvectionState& state, RankExchange::Bytes& bytes)
+  {
+    PutHead(bytes, Kind::GoOn, question);
+    MessageBytes::Put(bytes, state.Values);
+    MessageBytes::Put(bytes, state.Numbers);
   }
 
   static std::vector<Waiting> TakeBatch(std::deque<Waiting>& queue)
@@ -241,39 +381,64 @@ private:
     return batch;
   }
 
-  /// Takes what has come. Returns how many results were among it.
-  vtkIdType Receive(
-    const RankExchange::Bytes& received, std::deque<Waiting>& queue, const Take& take) const
+  /// Takes what has come.
+  void Receive(const RankExchange::Bytes& received, Job& job, Outbox& sent)
   {
-    vtkIdType results = 0;
     const char* at = received.data();
     while (at < received.data() + received.size())
     {
       Kind kind;
       Waiting waiting;
       GetHead(at, kind, waiting.For);
-      if (kind == Kind::Result)
+      switch (kind)
       {
-        AdvectionResult result;
-        MessageBytes::Get(at, static_cast<AdvectionEnd&>(result));
-        MessageBytes::Get(at, result.Means);
-        take(waiting.For.Number, result);
-        ++results;
-        continue;
+        case Kind::Aborted:
+          job.IsAborted = true;
+          break;
+        case Kind::Result:
+        {
+          AdvectionResult result;
+          MessageBytes::Get(at, static_cast<AdvectionEnd&>(result));
+          MessageBytes::Get(at, result.Means);
+          job.TakeResult(waiting.For.Number, result);
+          ++job.Ended;
+          break;
+        }
+        case Kind::Finding:
+        {
+          int rank = 0;
+          CellFinding finding;
+          typename PartSearch<Walker>::Best best;
+          MessageBytes::Get(at, rank);
+          MessageBytes::Get(at, finding);
+          if (this->Cells.Take(waiting.For.Number, rank, finding, best))
+          {
+            this->BeginAt(waiting.For, best, job, sent);
+          }
+          break;
+        }
+        case Kind::GoOn:
+          waiting.State = std::make_unique<AdvectionState>();
+          MessageBytes::Get(at, waiting.State->Values);
+          MessageBytes::Get(at, waiting.State->Numbers);
+          job.Queue.push_back(std::move(waiting));
+          break;
+        default:
+          MessageBytes::Get(at, waiting.X);
+          if (kind == Kind::Search)
+          {
+            job.Searched.push_back(std::move(waiting));
+          }
+          else
+          {
+            job.Queue.push_back(std::move(waiting));
+          }
       }
-      if (kind == Kind::Start)
-      {
-        MessageBytes::Get(at, waiting.X);
-      }
-      else
-      {
-        waiting.State = std::make_unique<AdvectionState>();
-        MessageBytes::Get(at, waiting.State->Values);
-        MessageBytes::Get(at, waiting.State->Numbers);
-      }
-      queue.push_back(std::move(waiting));
     }
-    return results;
+    if (job.IsAborted)
+    {
+      job.Queue.clear();
+    }
   }
 
   /// What a thread has to send, and what it has done.
@@ -319,10 +484,9 @@ private:
   void FollowEach(const AdvectionOptions& options, const std::vector<Waiting>& batch,
     const Take& take, Next&& next, Done& done) const
   {
-    using Group = AdvectionLanes<Walker, LatticeSteps::Four>;
-    Group advection(Walker(&this->Shared), options, LatticeSteps::Take);
     AdvectionState state;
-    advection.FollowEach(
+    FollowSome(
+      Walker(&this->Shared), options,
       [&](int, Advection<Walker>& one, AdvectionResult& result, bool& goesOn)
       {
         const vtkIdType i = next();
@@ -342,11 +506,8 @@ private:
         if (one.IsElsewhere())
         {
           one.Save(state);
-          RankExchange::Bytes& bytes = done.Sent[static_cast<std::size_t>(
-            this->Ranks.FindRank(this->Shared.GetPlace(state.Values.Cell).Index))];
-          PutHead(bytes, Kind::GoOn, question);
-          MessageBytes::Put(bytes, state.Values);
-          MessageBytes::Put(bytes, state.Numbers);
+          const int rank = this->Ranks.FindRank(this->Shared.GetPlace(state.Values.Cell).Index);
+          PutState(question, state, done.Sent[static_cast<std::size_t>(rank)]);
           ++done.HandedOn;
           return;
         }
@@ -364,10 +525,39 @@ private:
       });
   }
 
+  /// Follows streamlines as AdvectionLanes::FollowEach does, where the walker has lanes.
+  template <typename BeginOne, typename EndOne>
+  static void FollowSome(
+    const Walker& walker, const AdvectionOptions& options, BeginOne&& begin, EndOne&& end)
+  {
+    if constexpr (Walker::HasLanes)
+    {
+      using Group = AdvectionLanes<Walker, LatticeSteps::Four>;
+      Group advection(walker, options, LatticeSteps::Take);
+      advection.FollowEach(begin, end);
+    }
+    else
+    {
+      Advection<Walker> one(walker, options);
+      AdvectionResult result;
+      bool goesOn = false;
+      for (vtkIdType i = begin(0, one, result, goesOn); i >= 0; i = begin(0, one, result, goesOn))
+      {
+        while (goesOn)
+        {
+          goesOn = one.GoStep();
+        }
+        end(i, 0, one, result);
+      }
+    }
+  }
+
   RankField& Ranks;
   RankExchange& Exchange;
   vtkAlgorithm* Owner;
   Field Shared;
+  PartSearch<Walker> Cells;
+  std::vector<int> RanksOfStart;
   vtkIdType Steps = 0;
   vtkIdType HandedOn = 0;
 };
@@ -398,6 +588,10 @@ std::unique_ptr<RankStreamlines> RankStreamlines::Make(RankField& field, vtkData
   if (auto* image = vtkImageData::SafeDownCast(field.GetData()))
   {
     return MakeOf<ImagePartWalker>(field, image, vectors, arrays, owner, error);
+  }
+  if (auto* structured = vtkStructuredGrid::SafeDownCast(field.GetData()))
+  {
+    return MakeOf<StructuredPartWalker>(field, structured, vectors, arrays, owner, error);
   }
   auto* grid = vtkRectilinearGrid::SafeDownCast(field.GetData());
   return MakeOf<RectilinearPartWalker>(field, grid, vectors, arrays, owner, error);

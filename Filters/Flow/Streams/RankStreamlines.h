@@ -10,6 +10,7 @@
 
 class vtkAlgorithm;
 class vtkDataArray;
+class vtkFlowReport;
 
 namespace interlume
 {
@@ -20,11 +21,11 @@ class RankField;
  * @class   RankStreamlines
  * @brief   streamlines of a field that processes hold in parts
  *
- * A streamline begins in the process whose own the cell of its start is, goes on with its whole
- * state in the next one where it enters a cell of that, and its result goes back to the process
- * that asked for it. Nobody waits: what has come in is followed by threads, a batch at a time,
- * while others do the same. Steps see one cell only and cells are numbered and placed as in the
- * whole, so that results have the bytes that they have where one process holds all.
+ * A streamline begins in the process whose own the cell of its start is (PartSearch), goes on with
+ * its whole state in the next one where it enters a cell of that, and its result goes back to the
+ * process that asked for it. Nobody waits: what has come in is followed by threads, a batch at a
+ * time, while others do the same. Steps see one cell only and cells are numbered and placed as in
+ * the whole, so that results have the bytes that they have where one process holds all.
  *
  * When the execution is aborted in one process it ends in all.
  */
@@ -39,6 +40,8 @@ public:
   /// Returns the number of steps that this process took, and of streamlines that it handed on.
   virtual vtkIdType GetNumberOfSteps() const = 0;
   virtual vtkIdType GetNumberOfHandedOn() const = 0;
+  /// Fills what describes how the cells of the whole are joined. Collective.
+  virtual void Describe(vtkFlowReport& report) const = 0;
 };
 
 }

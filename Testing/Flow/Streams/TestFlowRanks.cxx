@@ -4,6 +4,9 @@
 // field whole.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Checks/ReferenceMessages.h"
+#include "Streams/CurvedGridSource.h"
+
+#include "Inputs/DataFiles.h"
 
 #include "vtkAnalyticFlowSource.h"
 #include "vtkFlowStatus.h"
@@ -13,6 +16,7 @@
 #include "vtkTerminationPlane.h"
 #include "vtkTerminationSphere.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -26,6 +30,8 @@
 #include "vtkRectilinearGrid.h"
 #include "vtkRectilinearGridAlgorithm.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStructuredGrid.h"
+#include "vtkXMLStructuredGridReader.h"
 
 #include <cmath>
 #include <cstring>
@@ -34,6 +40,10 @@
 #include <iostream>
 #include <string>
 #include <vector>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace
 {
@@ -134,6 +144,95 @@ void AddSphere(vtkImplicitFlowField* filter, double radius)
   filter->AddTerminationSurface(sphere);
 }
 
+CurvedGridSource* MakeCurved(int field, CurvedGridSource::Shape shape, int type = VTK_DOUBLE)
+{
+  CurvedGridSource* source = CurvedGridSource::New();
+  source->Flow->SetField(field);
+  source->GetPosition = shape;
+  source->PointType = type;
+  return source;
+}
+
+void AddCurvedCases(std::vector<Case>& cases)
+{
+  using Flow = vtkAnalyticFlowSource;
+  cases.push_back({ "hurricane on a ring",
+    [] { return MakeCurved(Flow::HURRICANE, CurvedGridSource::Ring, VTK_FLOAT); },
+    [](vtkImplicitFlowField* filter)
+    {
+      AddPlane(filter, -1.3);
+      filter->SetDomainFaces(true);
+      filter->SetKeepSteps(true);
+      filter->SetComputeArcLength(true);
+      filter->SetComputeMeanVorticity(true);
+    } });
+  cases.push_back(
+    { "closed orbits on a ring", [] { return MakeCurved(Flow::ROTATION, CurvedGridSource::Ring); },
+      [](vtkImplicitFlowField* filter)
+      {
+        AddSphere(filter, 0.45);
+        filter->SetDomainFaces(true);
+        filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+        filter->SetSampleDimensions(8, 7, 4);
+        filter->SetMaximumNumberOfSteps(4000);
+      } });
+  cases.push_back({ "hurricane around a pole",
+    [] { return MakeCurved(Flow::HURRICANE, CurvedGridSource::Pole, VTK_FLOAT); },
+    [](vtkImplicitFlowField* filter)
+    {
+      AddPlane(filter, 0.31);
+      filter->SetDomainFaces(true);
+      filter->SetDirectionToForward();
+      filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+      filter->SetSampleDimensions(10, 9, 8);
+    } });
+  cases.push_back({ "cells and points that are hidden in a bow",
+    []
+    {
+      CurvedGridSource* source = MakeCurved(Flow::ABC, CurvedGridSource::Bow);
+      source->IsBlanked = true;
+      return source;
+    },
+    [](vtkImplicitFlowField* filter)
+    {
+      AddSphere(filter, 0.4);
+      filter->SetDomainFaces(true);
+      filter->SetRefinementLevels(1);
+    } });
+  const auto makeFin = []
+  {
+    vtkXMLStructuredGridReader* reader = vtkXMLStructuredGridReader::New();
+    reader->SetFileName(interlume::DataFile("bluntfin.vts").c_str());
+    return reader;
+  };
+  cases.push_back({ "blunt fin", makeFin,
+    [](vtkImplicitFlowField* filter)
+    {
+      filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Velocity");
+      filter->SetDomainFaces(true);
+      filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+      filter->SetSampleDimensions(14, 10, 12);
+    } });
+  cases.push_back({ "blunt fin, fewer samples", makeFin,
+    [](vtkImplicitFlowField* filter)
+    {
+      filter->SetDomainFaces(true);
+      filter->SetMaximumNumberOfSteps(1);
+    } });
+  cases.push_back({ "rectilinear grid, fewer samples",
+    []
+    {
+      GridSource* source = GridSource::New();
+      source->WholeExtent[1] += 20;
+      return source;
+    },
+    [](vtkImplicitFlowField* filter)
+    {
+      filter->SetDomainFaces(true);
+      filter->SetMaximumNumberOfSteps(1);
+    } });
+}
+
 std::vector<Case> MakeCases()
 {
   using Flow = vtkAnalyticFlowSource;
@@ -189,23 +288,57 @@ std::vector<Case> MakeCases()
       } });
   cases.push_back({ "four cells", [] { return MakeFlow(Flow::UNIFORM, VTK_FLOAT, 2, 2, 5, 1.0); },
     [](vtkImplicitFlowField* filter) { filter->SetDomainFaces(true); } });
+  AddCurvedCases(cases);
   return cases;
+}
+
+/// Returns the points of the whole that those of a part are, by their indices where points may have
+/// the same coordinates.
+std::vector<vtkIdType> FindPoints(vtkDataSet* part, vtkDataSet* whole)
+{
+  std::vector<vtkIdType> ids(static_cast<std::size_t>(part->GetNumberOfPoints()));
+  vtkStructuredGrid* grids[2] = { vtkStructuredGrid::SafeDownCast(part),
+    vtkStructuredGrid::SafeDownCast(whole) };
+  for (vtkIdType id = 0; id < part->GetNumberOfPoints(); ++id)
+  {
+    vtkIdType& place = ids[static_cast<std::size_t>(id)];
+    if (!grids[0] || !grids[1])
+    {
+      place = whole->FindPoint(part->GetPoint(id));
+      continue;
+    }
+    int extents[2][6];
+    grids[0]->GetExtent(extents[0]);
+    grids[1]->GetExtent(extents[1]);
+    vtkIdType left = id;
+    vtkIdType stride = 1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int size = extents[0][2 * axis + 1] - extents[0][2 * axis] + 1;
+      place += stride * (left % size + extents[0][2 * axis] - extents[1][2 * axis]);
+      left /= size;
+      stride *= extents[1][2 * axis + 1] - extents[1][2 * axis] + 1;
+    }
+  }
+  return ids;
 }
 
 /// Compares the arrays of samples with those of the same places in the whole.
 void Compare(Check& check, vtkDataSet* part, vtkDataSet* whole)
 {
-  std::vector<vtkIdType> ids(static_cast<std::size_t>(part->GetNumberOfPoints()));
+  const std::vector<vtkIdType> ids = FindPoints(part, whole);
   for (vtkIdType id = 0; id < part->GetNumberOfPoints(); ++id)
   {
-    const vtkIdType place = whole->FindPoint(part->GetPoint(id));
-    ids[static_cast<std::size_t>(id)] = place;
+    const vtkIdType place = ids[static_cast<std::size_t>(id)];
     double x[3];
     whole->GetPoint(place, x);
     check.That(std::memcmp(x, part->GetPoint(id), sizeof(x)) == 0, "a sample of the whole");
   }
   vtkPointData* found = part->GetPointData();
   check.Equal(found->GetNumberOfArrays(), whole->GetPointData()->GetNumberOfArrays(), "arrays");
+  check.That(
+    part->GetNumberOfPoints() == 0 || !found->GetVectors() == !whole->GetPointData()->GetVectors(),
+    "active vectors");
   for (int i = 0; i < found->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = found->GetArray(i);
@@ -266,6 +399,10 @@ void TestCase(Check& check, vtkMultiProcessController* controller, const Case& t
   check.That(own.MaximumSpeed == all.MaximumSpeed && own.MaximumError == all.MaximumError &&
       own.FillValues == all.FillValues,
     "what is known of the whole field");
+  check.Equal(own.JoinedFaces, all.JoinedFaces, "faces that are joined");
+  check.That(own.LargestJoinedGap == all.LargestJoinedGap, "the largest gap");
+  check.Equal(own.OpenInterfaces, all.OpenInterfaces, "open interfaces");
+  check.Equal(own.FirstOpenCell, all.FirstOpenCell, "the first open cell");
   check.Equal(static_cast<long long>(own.StepsOfRanks.size()), ranks > 1 ? ranks : 0, "ranks");
   check.That(ranks == 1 || own.HandedOn > 0 || all.Steps < 100, "streamlines are handed on");
   if (rank == 0)
@@ -297,19 +434,31 @@ double GetMemory(const std::string& name)
   return 0.0;
 }
 
+/// Has the most memory be counted from now on. Returns whether Linux has done so.
+bool ResetMemory()
+{
+#ifdef __GLIBC__
+  // What was freed counts no more.
+  malloc_trim(0);
+#endif
+  std::ofstream("/proc/self/clear_refs") << 5 << std::flush;
+  return GetMemory("VmHWM") <= 1.01 * GetMemory("VmRSS");
+}
+
 /// A larger field takes a process its share of the memory: by what the filter tells, and by what
 /// the system does, which is first asked of the part and then of the whole.
-void TestMemory(Check& check, vtkMultiProcessController* controller)
+void TestMemory(Check& check, vtkMultiProcessController* controller, const std::string& name,
+  vtkIdType points, std::size_t size, const std::function<vtkAlgorithm*()>& makeSource)
 {
-  constexpr int points = 201;
   const int ranks = controller->GetNumberOfProcesses();
   double bytes[2];
   double growths[2];
+  bool isCounted = true;
   for (int isWhole = 0; isWhole < 2; ++isWhole)
   {
+    isCounted = ResetMemory() && isCounted;
     const double before = GetMemory("VmRSS");
-    const auto source = vtk::TakeSmartPointer(
-      MakeFlow(vtkAnalyticFlowSource::UNIFORM, VTK_FLOAT, points, points, points, 1.0));
+    const auto source = vtk::TakeSmartPointer(makeSource());
     vtkNew<vtkImplicitFlowField> filter;
     filter->SetController(isWhole ? nullptr : controller);
     filter->SetInputConnection(source->GetOutputPort());
@@ -321,19 +470,75 @@ void TestMemory(Check& check, vtkMultiProcessController* controller)
     bytes[isWhole] = static_cast<double>(filter->GetReport().FieldBytes);
     growths[isWhole] = GetMemory("VmHWM") - before;
   }
-  check.SetContext(std::to_string(ranks) + " processes");
-  check.That(bytes[1] == 12.0 * points * points * points, "bytes of the whole");
+  check.SetContext(name + ", " + std::to_string(ranks) + " processes");
+  check.That(bytes[1] == static_cast<double>(size) * static_cast<double>(points), "bytes");
   const double most = ranks == 1 ? 1.0 : (ranks == 2 ? 0.65 : 0.4);
   check.That(
     bytes[0] / bytes[1] <= most, "share of the field: " + std::to_string(bytes[0] / bytes[1]));
-  // The most that one process has had is as much as before where it had all.
-  const double share = growths[1] > 0.0 ? growths[0] / growths[1] : 0.0;
+  const double share = isCounted ? growths[0] / growths[1] : 0.0;
   check.That(ranks == 1 || share <= most, "share of the memory: " + std::to_string(share));
   if (controller->GetLocalProcessId() == 0)
   {
-    std::cout << "shares of the whole field: bytes " << bytes[0] / bytes[1] << ", memory " << share
-              << " of " << growths[1] / 1048576.0 << " MiB" << std::endl;
+    std::cout << name << ", shares of the whole field: bytes " << bytes[0] / bytes[1] << ", memory "
+              << share << " of " << growths[1] / 1048576.0 << " MiB" << std::endl;
   }
+}
+
+void TestMemories(Check& check, vtkMultiProcessController* controller)
+{
+  TestMemory(check, controller, "image", 201 * 201 * 201, 12,
+    [] { return MakeFlow(vtkAnalyticFlowSource::UNIFORM, VTK_FLOAT, 201, 201, 201, 1.0); });
+  TestMemory(check, controller, "bow", 81 * 81 * 81, 24,
+    []
+    {
+      CurvedGridSource* source =
+        MakeCurved(vtkAnalyticFlowSource::UNIFORM, CurvedGridSource::Bow, VTK_FLOAT);
+      for (int i = 0; i < 6; ++i)
+      {
+        source->WholeExtent[i] = i % 2 ? 80 : 0;
+      }
+      return source;
+    });
+}
+
+/// Ends the execution of one process while it follows streamlines.
+void Abort(vtkObject* caller, unsigned long, void*, void*)
+{
+  vtkAlgorithm* filter = vtkAlgorithm::SafeDownCast(caller);
+  if (filter->GetProgress() > 0.2)
+  {
+    filter->SetAbortExecute(1);
+  }
+}
+
+/// What is aborted in one process is in all, leaves no samples, and can be done again.
+void TestAbort(Check& check, vtkMultiProcessController* controller)
+{
+  check.SetContext("abort");
+  const int ranks = controller->GetNumberOfProcesses();
+  const int rank = controller->GetLocalProcessId();
+  const auto source =
+    vtk::TakeSmartPointer(MakeCurved(vtkAnalyticFlowSource::HURRICANE, CurvedGridSource::Pole));
+  vtkNew<vtkImplicitFlowField> filter;
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->SetDomainFaces(true);
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback(Abort);
+  if (rank == ranks - 1)
+  {
+    filter->AddObserver(vtkCommand::ProgressEvent, abort);
+  }
+  filter->UpdateInformation();
+  filter->UpdatePiece(rank, ranks, 0);
+  check.Equal(vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfPoints(), 0,
+    "samples of an execution that was aborted");
+  check.Equal(filter->GetReport().Executions, 0, "executions");
+  filter->RemoveObserver(abort);
+  filter->Modified();
+  filter->UpdatePiece(rank, ranks, 0);
+  check.That(vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfPoints() > 0,
+    "samples after that");
+  check.Equal(filter->GetReport().Executions, 1, "executions after that");
 }
 
 /// What keeps the field whole, and answers all the same.
@@ -395,14 +600,14 @@ int main(int argc, char* argv[])
   controller->Initialize(&argc, &argv);
   vtkMultiProcessController::SetGlobalController(controller);
   Check check;
-  // The most memory is asked for before anything else has taken some.
-  TestMemory(check, controller);
+  TestMemories(check, controller);
   for (const Case& test : MakeCases())
   {
     TestCase(check, controller, test);
   }
   TestWholeField(check, controller);
   TestErrors(check, controller);
+  TestAbort(check, controller);
   const vtkIdType failures = Sum(controller, check.Result() == EXIT_SUCCESS ? 0 : 1);
   vtkMultiProcessController::SetGlobalController(nullptr);
   controller->Finalize();
