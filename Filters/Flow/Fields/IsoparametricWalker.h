@@ -3,7 +3,7 @@
 #define interlume_IsoparametricWalker_h
 
 #include "Cells/InterpolatedCell.h"
-#include "Fields/CellFinding.h"
+#include "Cells/CellFinding.h"
 #include "Fields/CellWalker.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #ifndef interlume_PartSearch_h
 #define interlume_PartSearch_h
 
-#include "Fields/CellFinding.h"
+#include "Cells/CellFinding.h"
 #include "Streams/RankField.h"
 
 #include <cstddef>
