@@ -34,7 +34,12 @@ bool HasTies(const ExtractionContext& context)
       {
         const vtkIdType number = std::min(most, last - begin);
         scalars->Classify(begin, number, codes);
-        if (std::any_of(codes, codes + number, ExtractionValues::IsTie))
+        Code all = 0;
+        for (vtkIdType i = 0; i < number; ++i)
+        {
+          all = static_cast<Code>(all | codes[i]);
+        }
+        if (ExtractionValues::IsTie(all))
         {
           isAny = true;
         }
