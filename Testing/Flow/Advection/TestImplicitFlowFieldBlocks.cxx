@@ -389,7 +389,10 @@ void TestErrors(Check& check)
   AddVectors(surface, Shear);
   expect({ surface, surface }, "Block 4 (flat index): The field has no three-dimensional cells");
   auto filter = NewFilter(vtkNew<vtkMultiBlockDataSet>());
+  ExpectWarnings(filter);
   check.That(MessagesOf(filter).empty(), "no blocks are no error");
+  filter->Modified();
+  check.That(WarningsOf(filter).find("no points") != std::string::npos, "no blocks are warned of");
   check.Equal(Update(filter)->GetNumberOfPoints(), 0, "nothing of no blocks");
 }
 

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Random pipelines through the public classes: see FuzzCases.h. A case is a family and a seed,
+// which make it again on every machine.
+#include "FuzzCases.h"
+
+#include "vtkLogger.h"
+
+#include <CLI/CLI.hpp>
+
+#include <csignal>
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <unistd.h>
+
+namespace fuzz
+{
+
+const std::vector<Family>& GetFamilies()
+{
+  static const std::vector<Family> families = { { "intervals", RunIntervals },
+    { "contours", RunContours }, { "time", RunTime }, { "flow", RunFlow },
+    { "tetrahedra", RunTetrahedra }, { "shadows", RunShadows } };
+  return families;
+}
+
+namespace
+{
+
+std::string CurrentCase;
+
+/// Names the case that a signal ended, by what a signal handler may call.
+void OnSignal(int signal)
+{
+  const std::string& name = CurrentCase;
+  const ssize_t written = write(STDERR_FILENO, name.data(), name.size());
+  std::signal(signal, SIG_DFL);
+  if (written >= 0)
+  {
+    std::raise(signal);
+  }
+}
+
+}
+
+}
+
+int main(int argc, char* argv[])
+{
+  std::vector<std::string> names;
+  for (const fuzz::Family& family : fuzz::GetFamilies())
+  {
+    names.push_back(family.Name);
+  }
+  CLI::App app("Random pipelines through Interlume's public classes");
+  std::vector<std::string> chosen = names;
+  std::uint64_t first = 1;
+  int count = 50;
+  bool isVerbose = false;
+  app.add_option("--family", chosen, "Families to run; default all")->check(CLI::IsMember(names));
+  app.add_option("--first", first, "The first seed; default 1");
+  app.add_option("--cases", count, "Cases of each family; default 50");
+  app.add_flag("--verbose", isVerbose, "Print each case before it runs");
+  CLI11_PARSE(app, argc, argv);
+
+  for (const int signal : { SIGSEGV, SIGFPE, SIGABRT, SIGILL, SIGBUS })
+  {
+    std::signal(signal, fuzz::OnSignal);
+  }
+  // What is logged is collected as well.
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  reference::Check check;
+  for (const fuzz::Family& family : fuzz::GetFamilies())
+  {
+    if (std::find(chosen.begin(), chosen.end(), family.Name) == chosen.end())
+    {
+      continue;
+    }
+    const int before = check.GetNumberOfFailures();
+    for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(count); ++seed)
+    {
+      fuzz::CurrentCase =
+        "\n--family " + family.Name + " --first " + std::to_string(seed) + " --cases 1\n";
+      if (isVerbose)
+      {
+        std::cerr << fuzz::CurrentCase;
+      }
+      fuzz::FuzzRandom random(seed);
+      std::string text;
+      const int failures = check.GetNumberOfFailures();
+      check.SetContext(family.Name + " " + std::to_string(seed));
+      try
+      {
+        family.Run(random, text, check);
+      }
+      catch (const std::exception& error)
+      {
+        check.That(false, std::string("an exception: ") + error.what());
+      }
+      if (isVerbose || check.GetNumberOfFailures() > failures)
+      {
+        std::cerr << "  " << family.Name << " " << seed << " is " << text << "\n";
+      }
+    }
+    std::cout << family.Name << ": " << count << " cases, " << check.GetNumberOfFailures() - before
+              << " expectations not met" << std::endl;
+  }
+  return check.Result();
+}

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FuzzCases.h"
+#include "FuzzData.h"
+#include "FuzzRun.h"
+
+#include "Pictures/RgbaPicture.h"
+#include "Pictures/VolumeStage.h"
+
+#include "vtkAreaLight.h"
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkDataSet.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkRenderer.h"
+#include "vtkShadowedSliceMapper.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkVolumeProperty.h"
+
+#include <array>
+#include <cmath>
+
+namespace fuzz
+{
+
+namespace
+{
+
+constexpr int Size = 48;
+
+vtkSmartPointer<vtkVolumeProperty> MakeProperty(FuzzRandom& random)
+{
+  auto property = vtkSmartPointer<vtkVolumeProperty>::New();
+  vtkNew<vtkColorTransferFunction> colors;
+  vtkNew<vtkPiecewiseFunction> opacities;
+  const int nodes = random.Whole(1, 5);
+  const double end = random.Pick<double>({ 1.0, 4.0, 100.0 });
+  for (int i = 0; i < nodes; ++i)
+  {
+    const double at = random.Chance(0.2) ? 0.5 * end : random.Between(-0.1, 1.1) * end;
+    colors->AddRGBPoint(at, random.Unit(), random.Unit(), random.Unit());
+    opacities->AddPoint(at, random.Pick<double>({ 0.0, 1.0, random.Unit() }));
+  }
+  property->SetColor(colors);
+  property->SetScalarOpacity(opacities);
+  property->SetScalarOpacityUnitDistance(random.Pick<double>({ 1.0, 0.01, 100.0 }));
+  property->SetShade(random.Chance(0.3));
+  return property;
+}
+
+/// A camera that looks at the data, or along an axis, near, far, or from within.
+vtkSmartPointer<vtkCamera> MakeCamera(FuzzRandom& random, vtkDataSet* data)
+{
+  auto camera = vtkSmartPointer<vtkCamera>::New();
+  double center[3];
+  data->GetCenter(center);
+  double length = data->GetLength();
+  length = std::isfinite(length) && length > 0.0 ? length : 1.0;
+  double way[3] = { random.Between(-1.0, 1.0), random.Between(-1.0, 1.0),
+    random.Between(0.1, 1.0) };
+  if (random.Chance(0.3))
+  {
+    way[0] = way[1] = 0.0;
+  }
+  const double distance = length * random.Pick<double>({ 0.2, 2.0, 20.0 });
+  camera->SetFocalPoint(center);
+  camera->SetPosition(
+    center[0] + distance * way[0], center[1] + distance * way[1], center[2] + distance * way[2]);
+  camera->SetViewUp(0.0, 1.0, 0.01);
+  camera->SetParallelProjection(random.Chance(0.4));
+  camera->SetParallelScale(0.6 * length);
+  camera->SetClippingRange(1e-3 * length, distance + 10.0 * length);
+  return camera;
+}
+
+/// Channels are finite; alpha is of [0, 1].
+void CheckPicture(
+  const reference::RgbaPicture& picture, const std::string& what, reference::Check& check)
+{
+  bool isFinite = true;
+  double most = 0.0;
+  double least = 0.0;
+  for (std::size_t i = 0; i < picture.Values.size(); ++i)
+  {
+    isFinite = isFinite && std::isfinite(picture.Values[i]);
+    if (i % 4 == 3)
+    {
+      most = std::max(most, picture.Values[i]);
+    }
+    least = std::min(least, picture.Values[i]);
+  }
+  check.That(isFinite, what + ": finite");
+  check.That(most <= 1.001 && least >= -0.001,
+    what + ": channels from " + std::to_string(least) + ", alpha to " + std::to_string(most));
+}
+
+std::vector<vtkSmartPointer<vtkLight>> MakeLights(FuzzRandom& random)
+{
+  std::vector<vtkSmartPointer<vtkLight>> lights;
+  const int count = random.Whole(0, 3);
+  for (int i = 0; i < count; ++i)
+  {
+    vtkSmartPointer<vtkLight> light;
+    if (random.Chance(0.3))
+    {
+      auto lamp = vtkSmartPointer<vtkAreaLight>::New();
+      lamp->SetSize(random.Pick<double>({ 0.0, 0.5, 20.0 }), random.Between(0.0, 2.0));
+      light = lamp;
+    }
+    else
+    {
+      light = vtkSmartPointer<vtkLight>::New();
+    }
+    light->SetPositional(random.Chance(0.4));
+    light->SetConeAngle(random.Pick<double>({ 20.0, 60.0, 180.0 }));
+    light->SetPosition(
+      random.Between(-9.0, 9.0), random.Between(-9.0, 9.0), random.Between(-9.0, 9.0));
+    light->SetFocalPoint(random.Unit(), random.Unit(), random.Unit());
+    light->SetColor(random.Unit(), random.Unit(), random.Unit());
+    light->SetIntensity(random.Pick<double>({ 0.0, 1.0, 0.5 }));
+    lights.push_back(light);
+  }
+  return lights;
+}
+
+}
+
+void RunTetrahedra(FuzzRandom& random, std::string& text, reference::Check& check)
+{
+  const FuzzData data = MakeTetrahedra(random);
+  const auto property = MakeProperty(random);
+  const auto camera = MakeCamera(random, data.Data);
+  // Without an order the two paths may take each its own.
+  const int sort = random.Whole(0, 2);
+  const int integration = random.Whole(0, 1);
+  text =
+    data.Text + ", sort " + std::to_string(sort) + ", integration " + std::to_string(integration);
+  reference::RgbaPicture pictures[2];
+  for (const int path : { vtkTimeWeightedTetrahedraMapper::SOFTWARE_PATH,
+         vtkTimeWeightedTetrahedraMapper::OPENGL_PATH })
+  {
+    Messages messages;
+    reference::VolumeStage stage(std::array<int, 2>{ { Size, Size } });
+    vtkNew<vtkTimeWeightedTetrahedraMapper> mapper;
+    mapper->SetInputDataObject(data.Data);
+    mapper->SetRenderPath(path);
+    mapper->SetSortMode(sort);
+    mapper->SetIntegrationMode(integration);
+    stage.SetVolume(mapper, property);
+    stage.SetCamera(camera);
+    const bool isSoftware = path == vtkTimeWeightedTetrahedraMapper::SOFTWARE_PATH;
+    pictures[isSoftware ? 0 : 1] = stage.Capture();
+    CheckPicture(pictures[isSoftware ? 0 : 1], isSoftware ? "software" : "OpenGL", check);
+  }
+  if (data.IsTame && sort != vtkTimeWeightedTetrahedraMapper::NO_SORT)
+  {
+    const reference::PictureError error = reference::ComparePictures(pictures[1], pictures[0]);
+    check.Near(error.Mean, 0.0, 0.005, "mean difference of the two paths", 1.0);
+  }
+}
+
+void RunShadows(FuzzRandom& random, std::string& text, reference::Check& check)
+{
+  const FuzzData data = MakeImage(random);
+  const auto property = MakeProperty(random);
+  const auto lights = MakeLights(random);
+  const int scattering = random.Chance(0.3) ? random.Whole(1, 3) : 0;
+  const int method = random.Whole(0, 2);
+  text = data.Text + ", " + std::to_string(lights.size()) + " lights, method " +
+    std::to_string(method) + ", scattering " + std::to_string(scattering);
+  Messages messages;
+  reference::VolumeStage stage(std::array<int, 2>{ { Size, Size } });
+  vtkNew<vtkShadowedSliceMapper> mapper;
+  mapper->SetInputData(vtkImageData::SafeDownCast(data.Data));
+  mapper->SetSoftShadowMethod(method);
+  mapper->SetMultipleScattering(scattering);
+  mapper->SetCropping(random.Chance(0.2));
+  stage.SetVolume(mapper, property);
+  stage.SetCamera(MakeCamera(random, data.Data));
+  stage.SetLights(lights);
+  const reference::RgbaPicture first = stage.Capture();
+  CheckPicture(first, "shadows", check);
+  // Another view and back.
+  stage.SetCamera(MakeCamera(random, data.Data));
+  CheckPicture(stage.Capture(), "another view", check);
+}
+
+}
