@@ -14,7 +14,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
-from plugin_pictures import add_array, coordinates, image, producer, snapshot
+from plugin_pictures import add_array, coordinates, image, load_texture, producer, snapshot
 from plugin_testing import Checks, load_plugin
 from shadow_scene import add_sun, brightness, dark_view, make_plate, show_surface
 
@@ -131,7 +131,7 @@ def check_image(checks, view, display, folder):
     writer.SetFileName(path)
     writer.SetInputData(data)
     writer.Write()
-    display.AreaLightImage = simple.CreateTexture(path)
+    display.AreaLightImage = load_texture(path)
     half = profile(view, snapshot(view))
     ratio = width_of(half) / width_of(soft)
     checks.that(0.4 < ratio < 0.7, f"half a light has half a penumbra: {ratio}")

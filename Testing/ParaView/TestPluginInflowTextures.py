@@ -13,7 +13,7 @@ from paraview import simple
 
 from flow_testing import analytic_flow, flow_field
 from plugin_pictures import (
-    Comparison, image, look_at, make_view, picture_path, plain_view, producer, set_light, share_shown, snapshot)
+    Comparison, image, load_texture, look_at, make_view, picture_path, plain_view, producer, set_light, share_shown, snapshot)
 from plugin_testing import Checks, extractions_path, load_plugin, open_file
 
 REPRESENTATION = "Inflow Textures"
@@ -38,7 +38,7 @@ def draw(picture, path):
     display.InflowSurfaceId = SURFACE_ID
     for key, name in TEXTURES.items():
         if picture[key]:
-            setattr(display, name, simple.CreateTexture(extractions_path(picture[key])))
+            setattr(display, name, load_texture(extractions_path(picture[key])))
     display.InflowPulseLength = picture["pulse"]
     display.InflowTimePhase = picture["phase"]
     if picture["opacity_range"]:

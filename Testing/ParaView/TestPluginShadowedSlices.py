@@ -11,7 +11,7 @@ import sys
 
 from paraview import servermanager, simple
 
-from plugin_pictures import Comparison, make_view, picture_path, set_colors, set_light
+from plugin_pictures import Comparison, load_texture, make_view, picture_path, set_colors, set_light
 from plugin_testing import Checks, extractions_path, load_plugin, open_data, temporal_source
 
 REPRESENTATION = "Shadowed Slices"
@@ -46,7 +46,7 @@ def set_projector(display, values):
     display.ProjectiveLightEdgeWidth = values["edge"]
     display.ProjectiveLightColor = values["color"]
     display.ProjectiveLightIntensity = values["intensity"]
-    display.ProjectiveLightImage = simple.CreateTexture(extractions_path(values["image"]))
+    display.ProjectiveLightImage = load_texture(extractions_path(values["image"]))
 
 
 def draw(picture, path):

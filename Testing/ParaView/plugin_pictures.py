@@ -30,6 +30,13 @@ def make_view(picture):
     return view
 
 
+def load_texture(path):
+    """An image file as a texture. ParaView 5.13 reads it once the proxy is told to update."""
+    made = simple.CreateTexture(path)
+    made.UpdateVTKObjects()
+    return made
+
+
 def set_light(light, values):
     light.Coords = "Scene"
     light.Position = values["position"]
