@@ -67,17 +67,20 @@ debian_mirror()
     sed -nE 's/^(URIs: |deb (\[[^]]*\] )?)(http[^ ]*\/debian)\/?( .*)?$/\3/p' | head -n 1 || true
 }
 
-# All files but what was built, with their times, so that only what has changed is built again; those
-# that are gone leave the copy too.
+# All files but what was built. Those that differ are new there, whatever their times are here, so that
+# they alone are built again; those that are gone leave the copy too.
 copy_source()
 {
-  local root=$1 list=$1/src.files files=$log_dir/suite-files file
+  local root=$1 list=$1/src.files files=$log_dir/suite-files changed=$log_dir/suite-changed file
   mkdir -p "$log_dir"
   (cd "$source_dir" && find . \( -path ./build -o -path ./.git \) -prune -o ! -type d -print | sort) >"$files"
   as_root mkdir -p "$root/src"
   if [ -f "$list" ]; then
     comm -23 "$list" "$files" | while IFS= read -r file; do as_root rm -f "$root/src/$file"; done
   fi
-  tar -C "$source_dir" -cf - -T "$files" | as_root tar -C "$root/src" -xf - --no-same-owner
+  while IFS= read -r file; do
+    cmp -s "$source_dir/$file" "$root/src/$file" || printf '%s\n' "$file"
+  done <"$files" >"$changed"
+  tar -C "$source_dir" -cf - -T "$changed" | as_root tar -C "$root/src" -xmf - --no-same-owner
   as_root cp "$files" "$list"
 }
