@@ -62,6 +62,7 @@ std::vector<float> DrawShares(vtkOpenGLRenderWindow* window, const SliceScene& s
   }
   vtkOpenGLState* state = window->GetState();
   std::vector<float> values(static_cast<std::size_t>(4) * Columns * static_cast<std::size_t>(rows));
+  vtkNew<vtkOpenGLFramebufferObject> framebuffer;
   state->PushFramebufferBindings();
   {
     const ScopedState scoped(state);
@@ -69,7 +70,6 @@ std::vector<float> DrawShares(vtkOpenGLRenderWindow* window, const SliceScene& s
     state->vtkglDisable(GL_BLEND);
     state->vtkglDisable(GL_CULL_FACE);
     state->vtkglDisable(GL_SCISSOR_TEST);
-    vtkNew<vtkOpenGLFramebufferObject> framebuffer;
     framebuffer->SetContext(window);
     framebuffer->Bind();
     framebuffer->AddColorAttachment(0, texture);
@@ -115,9 +115,10 @@ std::vector<float> DrawShares(vtkOpenGLRenderWindow* window, const SliceScene& s
     {
       map->Deactivate();
     }
-    framebuffer->ReleaseGraphicsResources(window);
   }
+  // While it is bound, what VTK's state knows of it would be wrong afterwards.
   state->PopFramebufferBindings();
+  framebuffer->ReleaseGraphicsResources(window);
   texture->ReleaseGraphicsResources(window);
   quad.ReleaseGraphicsResources(window);
   return values;
