@@ -210,9 +210,11 @@ bool ActorShader::Replace(std::string& fragmentShader, bool isReceiver) const
     Swap(text, "ambientColor + diffuse + specular",
       "ambientColor + diffuse + sceneScattered(vertexVC.xyz, normalVCVSOutput) * diffuseColor + "
       "specular");
-    // What a physically based surface reflects of light from all around.
-    Swap(text, "(1.0 - metallic) * irradiance * albedo",
-      "(1.0 - metallic) * (irradiance + recPI * sceneScattered(vertexVC.xyz, N)) * albedo");
+    // What a physically based surface reflects of light from all around; later versions of VTK
+    // leave that out of their own formula where there is no image of an environment.
+    Swap(text, "vec3 color = iblDiffuse + iblSpecular;",
+      "iblDiffuse += (1.0 - F0) * (1.0 - metallic) * recPI * sceneScattered(vertexVC.xyz, N) * "
+      "albedo;\n  vec3 color = iblDiffuse + iblSpecular;");
   }
   fragmentShader = text;
   Swap(fragmentShader, DECLARATION_MARK, isLit ? parts.Declarations : "");
