@@ -476,7 +476,9 @@ void TestMemory(Check& check, vtkMultiProcessController* controller, const std::
   check.That(
     bytes[0] / bytes[1] <= most, "share of the field: " + std::to_string(bytes[0] / bytes[1]));
   const double share = isCounted ? growths[0] / growths[1] : 0.0;
-  check.That(ranks == 1 || share <= most, "share of the memory: " + std::to_string(share));
+  // What the exchange itself takes, some MiB, differs between implementations of MPI.
+  check.That(ranks == 1 || share <= (ranks == 2 ? 0.7 : most),
+    "share of the memory: " + std::to_string(share));
   if (controller->GetLocalProcessId() == 0)
   {
     std::cout << name << ", shares of the whole field: bytes " << bytes[0] / bytes[1] << ", memory "
