@@ -536,6 +536,7 @@ void TestAbort(Check& check, vtkMultiProcessController* controller)
     "samples of an execution that was aborted");
   check.Equal(filter->GetReport().Executions, 0, "executions");
   filter->RemoveObserver(abort);
+  filter->SetAbortExecute(0);
   filter->Modified();
   filter->UpdatePiece(rank, ranks, 0);
   check.That(vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfPoints() > 0,
