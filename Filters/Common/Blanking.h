@@ -6,6 +6,9 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <cstdint>
+#include <cstring>
+
 namespace interlume
 {
 
@@ -37,6 +40,33 @@ struct Blanking
       (this->PointGhosts->GetValue(point) & vtkDataSetAttributes::HIDDENPOINT);
   }
   bool HasBlanking() const { return this->CellGhosts || this->PointGhosts; }
+
+  /// Returns the first of the cells [\a first, \a last) that the ghost array marks at all, or
+  /// \a last.
+  vtkIdType FindMarkedCell(vtkIdType first, vtkIdType last) const
+  {
+    if (!this->CellGhosts)
+    {
+      return last;
+    }
+    const unsigned char* marks = this->CellGhosts->GetPointer(0);
+    // Most have none: eight cells at a time.
+    std::uint64_t eight = 0;
+    constexpr vtkIdType number = sizeof(eight);
+    for (; last - first >= number; first += number)
+    {
+      std::memcpy(&eight, marks + first, sizeof(eight));
+      if (eight != 0)
+      {
+        break;
+      }
+    }
+    while (first < last && marks[first] == 0)
+    {
+      ++first;
+    }
+    return first;
+  }
 
 private:
   static constexpr unsigned char Hidden =

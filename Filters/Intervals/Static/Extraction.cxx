@@ -90,9 +90,13 @@ bool Extraction::ExtractMesh(ExtractionContext& context, ExtractionMesh& mesh)
       context.Index = nullptr;
     }
   }
-  return hasRows ? StructuredExtraction::Execute(context, dimensions, mesh)
-                 : UnstructuredExtraction::Execute(
-                     context, vtkUnstructuredGrid::SafeDownCast(context.Input), mesh);
+  if (hasRows)
+  {
+    return StructuredExtraction::Execute(context, dimensions, mesh);
+  }
+  context.TakeDuplicates = GhostCells::AreTied(context);
+  return UnstructuredExtraction::Execute(
+    context, vtkUnstructuredGrid::SafeDownCast(context.Input), mesh);
 }
 
 bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructuredGrid* output,
@@ -129,7 +133,6 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   }
   const vtkSmartPointer<vtkDataArray> contiguous = ExtractionDispatch::MakeContiguous(scalars);
   context.Scalars = contiguous;
-  context.TakeDuplicates = GhostCells::AreTied(context);
 
   ExtractionMesh mesh;
   mesh.HasSeveralItems = this->Values->GetItems().size() > 1;

@@ -18,35 +18,26 @@ namespace interlume
 
 namespace
 {
-// Returns whether a value anywhere equals an isovalue or is not finite, which is quick, since few
-// datasets of floating-point numbers have one.
-bool HasTies(const ExtractionContext& context)
+using Code = ExtractionValues::Code;
+
+// Returns whether one of some values that follow each other equals an isovalue or is not finite.
+bool HasTies(const ExtractionScalars& scalars, vtkIdType first, vtkIdType last)
 {
-  using Code = ExtractionValues::Code;
-  const auto scalars = ExtractionScalars::Make(context.Scalars, *context.Values);
-  std::atomic<bool> isAny{ false };
-  vtkSMPTools::For(0, context.Input->GetNumberOfPoints(),
-    [&](vtkIdType first, vtkIdType last)
+  constexpr vtkIdType most = 1024;
+  Code codes[most];
+  Code all = 0;
+  for (; first < last && !ExtractionValues::IsTie(all); first += most)
+  {
+    const vtkIdType number = std::min(most, last - first);
+    scalars.Classify(first, number, codes);
+    for (vtkIdType i = 0; i < number; ++i)
     {
-      constexpr vtkIdType most = 1024;
-      Code codes[most];
-      for (vtkIdType begin = first; begin < last && !isAny; begin += most)
-      {
-        const vtkIdType number = std::min(most, last - begin);
-        scalars->Classify(begin, number, codes);
-        Code all = 0;
-        for (vtkIdType i = 0; i < number; ++i)
-        {
-          all = static_cast<Code>(all | codes[i]);
-        }
-        if (ExtractionValues::IsTie(all))
-        {
-          isAny = true;
-        }
-      }
-    });
-  return isAny;
+      all = static_cast<Code>(all | codes[i]);
+    }
+  }
+  return ExtractionValues::IsTie(all);
 }
+
 }
 
 void GhostCells::Request(vtkInformation* input, vtkInformation* output)
@@ -73,18 +64,27 @@ void GhostCells::SetBlanking(vtkDataSet* data, Blanking& blanking)
 
 bool GhostCells::AreTied(const ExtractionContext& context)
 {
-  if (!context.CellGhosts || !HasTies(context))
+  if (!context.CellGhosts)
   {
     return false;
   }
   const auto scalars = ExtractionScalars::Make(context.Scalars, *context.Values);
-  vtkNew<vtkIdList> ids;
-  const auto isTied = [&scalars](vtkIdType id)
+  // Few datasets of floating-point numbers have a tie anywhere, and this is quick.
+  std::atomic<bool> isAny{ false };
+  vtkSMPTools::For(0, context.Input->GetNumberOfPoints(),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      if (!isAny && HasTies(*scalars, first, last))
+      {
+        isAny = true;
+      }
+    });
+  if (!isAny)
   {
-    ExtractionValues::Code code;
-    scalars->Classify(id, 1, &code);
-    return ExtractionValues::IsTie(code);
-  };
+    return false;
+  }
+  vtkNew<vtkIdList> ids;
+  const auto isTied = [&scalars](vtkIdType id) { return HasTies(*scalars, id, id + 1); };
   for (vtkIdType cell = 0; cell < context.Input->GetNumberOfCells(); ++cell)
   {
     if (IsOne(context, cell))

@@ -38,6 +38,7 @@ public:
   static void SetBlanking(vtkDataSet* data, Blanking& blanking);
 
   /// Returns whether a value equals an isovalue, or is not finite, at a corner of a ghost cell.
+  /// Extraction from grids of rows finds that by itself, in passing.
   static bool AreTied(const ExtractionContext& context);
 
   /// Leaves out what comes of ghost cells, and counts these as left out.

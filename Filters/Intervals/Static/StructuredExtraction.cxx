@@ -7,10 +7,12 @@
 #include "Static/ExtractionIndex.h"
 #include "Static/ExtractionKernels.h"
 #include "Static/ExtractionScalars.h"
+#include "Static/GhostCells.h"
 #include "Static/MergedCut.h"
 
 #include "vtkSMPThreadLocal.h"
 
+#include <atomic>
 #include <numeric>
 
 namespace interlume
@@ -111,7 +113,7 @@ struct RowCount
 class Extractor
 {
 public:
-  Extractor(const ExtractionContext& context, const int dimensions[3], ExtractionMesh& mesh)
+  Extractor(ExtractionContext& context, const int dimensions[3], ExtractionMesh& mesh)
     : Context(context)
     , Values(*context.Values)
     , Scalars(ExtractionScalars::Make(context.Scalars, *context.Values))
@@ -131,13 +133,22 @@ public:
   bool Execute()
   {
     const vtkIdType rows = this->Rows.GetNumberOfRows();
-    this->Offsets.assign(rows + 1, RowCount());
-    this->Columns.assign(rows, { 0, 0 });
-    const bool counted = this->Context.Run(rows, 0.0, 0.4,
-      [this](vtkIdType first, vtkIdType last) { this->ProcessRows<false>(first, last); });
-    if (!counted)
+    if (!this->Count(rows))
     {
       return false;
+    }
+    if (this->HasTiedGhost)
+    {
+      // What there is at the faces of a ghost cell follows from the cell too.
+      this->Context.TakeDuplicates = true;
+      for (Local& local : this->Locals)
+      {
+        local.Report = vtkExtractionReport();
+      }
+      if (!this->Count(rows))
+      {
+        return false;
+      }
     }
     this->Allocate();
     const bool written = this->Context.Run(rows, 0.4, 0.8,
@@ -149,6 +160,15 @@ public:
   }
 
 private:
+  // Counts what each row gives. Returns false when the user aborted.
+  bool Count(vtkIdType rows)
+  {
+    this->Offsets.assign(rows + 1, RowCount());
+    this->Columns.assign(rows, { 0, 0 });
+    return this->Context.Run(rows, 0.0, 0.4,
+      [this](vtkIdType first, vtkIdType last) { this->ProcessRows<false>(first, last); });
+  }
+
   // The cut of a cell where values equal isovalues, which follows from the interval and from how
   // each corner's value compares with both of its bounds. Cells that are alike follow each other.
   struct TiedCase
@@ -167,6 +187,7 @@ private:
     std::vector<Code> Keys;
     std::vector<std::uint8_t> Gave;
     std::vector<ExtractionIndex::Span> Spans;
+    std::vector<ExtractionIndex::Span> Counted;
     std::vector<TiedCase> TiedCases;
     std::vector<vtkIdType> TiedTriangles;
     std::vector<vtkIdType> TiedSimplices;
@@ -287,7 +308,8 @@ private:
   void ProcessRows(vtkIdType first, vtkIdType last)
   {
     Local& local = this->Locals.Local();
-    for (vtkIdType row = first; row < last; ++row)
+    const bool hasTiedGhost = this->HasTiedGhost;
+    for (vtkIdType row = first; row < last && this->HasTiedGhost == hasTiedGhost; ++row)
     {
       const vtkIdType j = this->Rows.GetJ(row);
       const vtkIdType k = this->Rows.GetK(row);
@@ -340,6 +362,17 @@ private:
     if (this->MarksUsed)
     {
       this->Mesh.Used.AllocateZeros(total.Points);
+    }
+  }
+
+  // Marks the points of some slots as used; apart from other work, since a compiler has to think
+  // that a mark may change anything.
+  void Use(const Slot* slots, std::size_t number, const vtkIdType* ids)
+  {
+    std::atomic<unsigned char>* used = this->MarksUsed ? this->Mesh.Used.GetData() : nullptr;
+    for (std::size_t s = 0; used && s < number; ++s)
+    {
+      used[ids[slots[s]]].store(1, std::memory_order_relaxed);
     }
   }
 
@@ -506,6 +539,10 @@ private:
     if (Write)
     {
       this->FindSlotRows(local, around);
+      if (this->Context.HasBlanking())
+      {
+        this->CutBlanked(local, around);
+      }
     }
     local.Gave.clear();
     if (!Write)
@@ -594,18 +631,65 @@ private:
     return false;
   }
 
-  void CountInput(Local& local, const Around& around) const
+  // Leaves blanked cells out of the columns; returns how many there were. Notes whether one is
+  // another piece's cell and tied.
+  vtkIdType CutBlanked(Local& local, const Around& around)
+  {
+    vtkIdType number = 0;
+    local.Counted.clear();
+    for (const auto& span : local.Spans)
+    {
+      for (vtkIdType i = span[0]; i < span[1];)
+      {
+        const vtkIdType first = i;
+        i = this->FindBlanked(around, first, span[1]);
+        if (first < i)
+        {
+          local.Counted.push_back({ first, i });
+        }
+        for (; i < span[1] && this->IsBlanked(around, i); ++i)
+        {
+          ++number;
+          if (around.HasTies && GhostCells::IsOne(this->Context, around.FirstCell + i) &&
+            this->HasTiedPoints(around, i))
+          {
+            this->HasTiedGhost = true;
+          }
+        }
+      }
+    }
+    local.Spans.swap(local.Counted);
+    return number;
+  }
+
+  // Returns the first blanked cell of [first, last), or last.
+  vtkIdType FindBlanked(const Around& around, vtkIdType first, vtkIdType last) const
+  {
+    while (first < last && !this->IsBlanked(around, first))
+    {
+      const vtkIdType next = around.FirstCell + first + 1;
+      first = this->Context.PointGhosts
+        ? first + 1
+        : this->Context.FindMarkedCell(next, around.FirstCell + last) - around.FirstCell;
+    }
+    return first;
+  }
+
+  void CountInput(Local& local, const Around& around)
   {
     for (const auto& span : local.Spans)
     {
       local.Report.CellsVisited += span[1] - span[0];
-      for (vtkIdType i = span[0]; i < span[1] && this->Context.HasBlanking(); ++i)
-      {
-        local.Report.BlankedCells += this->IsBlanked(around, i);
-      }
+    }
+    if (this->Context.HasBlanking())
+    {
+      local.Report.BlankedCells += this->CutBlanked(local, around);
+    }
+    for (const auto& span : local.Spans)
+    {
       for (vtkIdType i = span[0]; i < span[1] && !around.IsFinite; ++i)
       {
-        local.Report.NonFiniteCells += !this->IsFinite(around, i) && !this->IsBlanked(around, i);
+        local.Report.NonFiniteCells += !this->IsFinite(around, i);
       }
     }
   }
@@ -634,21 +718,19 @@ private:
     this->Values.GetBase() == 3 ? this->FillKeys<3>(local, around, what)
                                 : this->FillKeys<2>(local, around, what);
     const Code last = static_cast<Code>(this->Table.GetNumberOfCases() - 1);
-    const bool isSimple = around.IsFinite && !this->Context.HasBlanking();
     const bool hasTies = around.HasTies || what.IsFlat;
     for (const auto& span : local.Spans)
     {
       for (vtkIdType i = span[0]; i < span[1]; ++i)
       {
         const Code key = local.Keys[i];
-        if (key == 0 || key == last ||
-          (!isSimple && (!this->IsFinite(around, i) || this->IsBlanked(around, i))))
+        if (key == 0 || key == last || (!around.IsFinite && !this->IsFinite(around, i)))
         {
           continue;
         }
         const vtkIsotable::Case& found = this->Table.GetCase(key);
         const RowCount before = place;
-        const bool isTied = hasTies && this->HasEqualPoints(around, i, what) &&
+        const bool isTied = hasTies && this->HasTiedPoints(around, i, what.IsFlat) &&
           this->ProcessTies<Write>(local, around, i, item, found, place);
         if (!isTied && Write)
         {
@@ -671,9 +753,8 @@ private:
     }
   }
 
-  bool HasEqualPoints(const Around& around, vtkIdType i, const ExtractionValues::Item& item) const
+  bool HasTiedPoints(const Around& around, vtkIdType i, Code ties = 0) const
   {
-    Code ties = item.IsFlat;
     for (const Code* codes : around.Codes)
     {
       ties |= codes[i] | codes[i + 1];
@@ -727,8 +808,8 @@ private:
     for (const Slot slot : found.Slots)
     {
       ids[slot] = this->GetId(around, i, this->Values.GetItems()[item], codes, slot);
-      this->Use(ids[slot]);
     }
+    this->Use(found.Slots.data(), found.Slots.size(), ids);
     const bool isInverted = this->IsInverted(around, i);
     const std::size_t number = found.Simplices.size();
     this->Mesh.Simplices.Write(place.Simplices, found.Simplices.data(), number, ids, isInverted);
@@ -834,7 +915,8 @@ private:
     return true;
   }
 
-  const ExtractionContext& Context;
+  ExtractionContext& Context;
+  std::atomic<bool> HasTiedGhost{ false };
   const ExtractionValues& Values;
   std::unique_ptr<ExtractionScalars> Scalars;
   ExtractionMesh& Mesh;
@@ -856,7 +938,7 @@ private:
 }
 
 bool StructuredExtraction::Execute(
-  const ExtractionContext& context, const int dimensions[3], ExtractionMesh& mesh)
+  ExtractionContext& context, const int dimensions[3], ExtractionMesh& mesh)
 {
   return Extractor(context, dimensions, mesh).Execute();
 }

@@ -19,9 +19,9 @@ namespace interlume
 class StructuredExtraction
 {
 public:
-  /// Runs the extraction. Returns false when the user aborted.
-  static bool Execute(
-    const ExtractionContext& context, const int dimensions[3], ExtractionMesh& mesh);
+  /// Runs the extraction, with other pieces' cells where one of them is tied: see GhostCells.
+  /// Returns false when the user aborted.
+  static bool Execute(ExtractionContext& context, const int dimensions[3], ExtractionMesh& mesh);
 };
 
 }
