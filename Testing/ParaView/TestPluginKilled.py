@@ -90,7 +90,9 @@ def check_rank(checks, mpiexec, flag, batch):
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=LONGEST_WAIT,
             check=False, env=ENVIRONMENT)
         checks.that(run.returncode != 0, "the run has failed")
-        said = re.search(rf"rank {KILLED_RANK} .*signal 9 \(Killed\)", run.stdout)
+        # Messages of Open MPI 5 are broken into lines.
+        said = re.search(rf"rank {KILLED_RANK}\b[^.]*signal 9 \(Killed\)",
+                         " ".join(run.stdout.split()))
         checks.that(said is not None, f"the process that was killed is named: {run.stdout}")
         checks.equal(os.listdir(folder), [], "files that are left")
 
