@@ -21,6 +21,7 @@
 #include "vtkSMPTools.h"
 #include "vtkStructuredGrid.h"
 
+#include <algorithm>
 #include <deque>
 #include <iterator>
 #include <utility>
@@ -147,9 +148,9 @@ public:
       {
         this->Receive(received, job, sent);
         this->Search(job.Searched, sent);
-        std::vector<Waiting> batch = TakeBatch(job.Queue);
+        std::vector<Waiting> batch = this->TakeBatch(job.Queue);
         const auto all =
-          std::min(number, begun + MostInBatch - static_cast<vtkIdType>(batch.size()));
+          std::min(number, begun + this->MostInBatch - static_cast<vtkIdType>(batch.size()));
         for (; begun < all && !job.IsAborted; ++begun)
         {
           this->Begin(begun, job, batch, sent);
@@ -244,8 +245,9 @@ private:
     bool IsAborted = false;
   };
 
-  // The most streamlines that are followed until others are listened to again.
-  static constexpr vtkIdType MostInBatch = 4096;
+  // The most streamlines that are followed until others are listened to again: where memory is not
+  // shared, a long message goes on only while its sender listens too.
+  const vtkIdType MostInBatch = 512 * std::max(vtkSMPTools::GetEstimatedNumberOfThreads(), 1);
 
   static void GetHead(const char*& at, Kind& kind, Question& question)
   {
@@ -371,10 +373,10 @@ private:
     MessageBytes::Put(bytes, state.Numbers);
   }
 
-  static std::vector<Waiting> TakeBatch(std::deque<Waiting>& queue)
+  std::vector<Waiting> TakeBatch(std::deque<Waiting>& queue) const
   {
     const auto number =
-      std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(queue.size()), MostInBatch);
+      std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(queue.size()), this->MostInBatch);
     std::vector<Waiting> batch(
       std::make_move_iterator(queue.begin()), std::make_move_iterator(queue.begin() + number));
     queue.erase(queue.begin(), queue.begin() + number);
