@@ -150,8 +150,6 @@ set_tests_properties(TestPluginPropertyPage PROPERTIES FAIL_REGULAR_EXPRESSION "
 
 if (INTERLUME_PYTHON)
   plugin_test(TestPluginPython "paraview;value" ${batch} "${script}/TestPluginPython.py")
-  set_tests_properties(TestPluginPython PROPERTIES ENVIRONMENT
-    "${plugin_environment};PYTHONPATH=${INTERLUME_PARAVIEW_PYTHON}:${script}:${CMAKE_BINARY_DIR}/${INTERLUME_PYTHON_DESTINATION}")
 endif ()
 
 # plugin_example(NAME DATA)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The classes in ParaView's Python: a programmable filter that uses one of them gives what the plugin's
-own filter gives, to the last byte, and a report."""
+own filter gives, to the last byte, and a report. Nothing but the plugin says where Python finds them."""
 
 import numpy as np
 from paraview import simple

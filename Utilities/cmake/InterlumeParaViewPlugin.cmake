@@ -12,6 +12,8 @@ foreach (module IN LISTS required_modules)
     message(FATAL_ERROR "This ParaView lacks the module ${module}")
   endif ()
 endforeach ()
+include(InterlumePython)
+interlume_find_python()
 paraview_plugin_build(
   RUNTIME_DESTINATION  "${CMAKE_INSTALL_BINDIR}"
   LIBRARY_DESTINATION  "${CMAKE_INSTALL_LIBDIR}"
@@ -21,8 +23,6 @@ paraview_plugin_build(
 
 # Python's package beside the plugin: the one of VTK's own Python cannot be loaded here, and may be
 # installed as well.
-include(InterlumePython)
-interlume_find_python()
 if (INTERLUME_PYTHON)
   set(modules ${interlume_modules})
   set(tetgen_modules)
