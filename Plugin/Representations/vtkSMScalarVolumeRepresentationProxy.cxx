@@ -3,9 +3,7 @@
 
 #include "vtkColorArrayChoice.h"
 #include "vtkIdColors.h"
-#include "vtkPanelHints.h"
 
-#include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVXMLElement.h"
@@ -41,58 +39,18 @@ bool HasFunctions(vtkSMProxy* display)
   return vtkSMPropertyHelper(display, "LookupTable", true).GetAsProxy() &&
     vtkSMPropertyHelper(display, "ScalarOpacityFunction", true).GetAsProxy();
 }
-
-/// Takes over where a display has the data, if it calls that Translation, as from ParaView 5.12 on:
-/// what it calls Position reaches the representation by itself.
-void FollowTranslation(vtkSMProxy* representation, vtkSMProxy* display)
-{
-  vtkSMProperty* translation = display->GetProperty("Translation");
-  if (translation)
-  {
-    representation->GetProperty("Position")->Copy(translation);
-    representation->UpdateVTKObjects();
-  }
-}
 }
 
 vtkSMScalarVolumeRepresentationProxy::vtkSMScalarVolumeRepresentationProxy() = default;
 
 vtkSMScalarVolumeRepresentationProxy::~vtkSMScalarVolumeRepresentationProxy() = default;
 
-void vtkSMScalarVolumeRepresentationProxy::CreateVTKObjects()
+void vtkSMScalarVolumeRepresentationProxy::FollowDisplay(vtkSMPVRepresentationProxy* display)
 {
-  const bool areCreated = this->ObjectsCreated != 0;
-  this->Superclass::CreateVTKObjects();
-  vtkSMProxy* display = vtkSMPVRepresentationProxy::SafeDownCast(this->GetParentProxy());
-  vtkPVXMLElement* volume =
-    this->GetHints() ? this->GetHints()->FindNestedElementByName("Volume") : nullptr;
-  if (areCreated || !this->ObjectsCreated || !display || !volume)
-  {
-    return;
-  }
-  this->Type = volume->GetAttributeOrEmpty("type");
-  if (vtkPVXMLElement* hidden = this->GetHints()->FindNestedElementByName("Hidden"))
-  {
-    vtkPanelHints::Hide(display, this->Type.c_str(), hidden);
-  }
-  display->AddObserver(
-    vtkCommand::UpdateEvent, this, &vtkSMScalarVolumeRepresentationProxy::FollowDisplay);
-  display->AddObserver(
-    vtkCommand::UpdateDataEvent, this, &vtkSMScalarVolumeRepresentationProxy::FollowDisplay);
-}
-
-void vtkSMScalarVolumeRepresentationProxy::FollowDisplay()
-{
-  auto* display = vtkSMPVRepresentationProxy::SafeDownCast(this->GetParentProxy());
-  if (this->IsFollowing || !display)
-  {
-    return;
-  }
-  this->IsFollowing = true;
-  FollowTranslation(this, display);
+  this->Superclass::FollowDisplay(display);
   const bool isRestoring = IsRestoring(display);
   const bool wasShown = this->IsShown;
-  this->IsShown = vtkSMPropertyHelper(display, "Representation").GetAsString() == this->Type;
+  this->IsShown = vtkSMPropertyHelper(display, "Representation").GetAsString() == this->GetType();
   bool isColored = display->GetUsingScalarColoring();
   if (!this->IsShown && wasShown)
   {
@@ -115,7 +73,6 @@ void vtkSMScalarVolumeRepresentationProxy::FollowDisplay()
       this->ColorCategories(display);
     }
   }
-  this->IsFollowing = false;
 }
 
 bool vtkSMScalarVolumeRepresentationProxy::ColorDisplay(vtkSMPVRepresentationProxy* display)
@@ -178,7 +135,6 @@ void vtkSMScalarVolumeRepresentationProxy::ColorCategories(vtkSMPVRepresentation
 void vtkSMScalarVolumeRepresentationProxy::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Type: " << this->Type << "\n";
   os << indent << "IsShown: " << this->IsShown << "\n";
   os << indent << "NeedsArray: " << this->NeedsArray << "\n";
   os << indent << "IsSolidByChoice: " << this->IsSolidByChoice << "\n";

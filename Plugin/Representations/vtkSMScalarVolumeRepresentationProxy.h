@@ -3,18 +3,15 @@
 #define vtkSMScalarVolumeRepresentationProxy_h
 
 #include "InterlumeRepresentationsModule.h" // for the export macro
-#include "vtkSMRepresentationProxy.h"
+#include "vtkSMDisplayedVolumeRepresentationProxy.h"
 
-#include <string> // for the type
-
-class vtkSMPVRepresentationProxy;
+#include <string> // for the array
 
 /**
  * @class   vtkSMScalarVolumeRepresentationProxy
  * @brief   colours a display when a volume of the plugin is switched on in it, as ParaView's Volume
  *
- * A subproxy of a display, and one of its representations, the one that the display calls by the
- * `type` of this proxy's hint Volume. Whenever that is what the display shows:
+ * Whenever that is what the display shows:
  *
  * - Without an array to colour by it takes one, as ParaView does for its own Volume: from the GUI,
  *   from Python by method or property, in pvbatch. It prefers an array that is no ids, then one
@@ -23,38 +20,30 @@ class vtkSMPVRepresentationProxy;
  *   change looks again.
  * - By an array that the hint Categories names, with ids 0, 1, ..: each id has a colour of its own,
  *   all the same opacity, if colours and opacities were the first ones of ParaView.
- *
- * The parts of the display's panel that change no picture of this representation are hidden: the
- * groups and properties that the hint Hidden names.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkSMScalarVolumeRepresentationProxy
-  : public vtkSMRepresentationProxy
+  : public vtkSMDisplayedVolumeRepresentationProxy
 {
 public:
   static vtkSMScalarVolumeRepresentationProxy* New();
-  vtkTypeMacro(vtkSMScalarVolumeRepresentationProxy, vtkSMRepresentationProxy);
+  vtkTypeMacro(vtkSMScalarVolumeRepresentationProxy, vtkSMDisplayedVolumeRepresentationProxy);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
 protected:
   vtkSMScalarVolumeRepresentationProxy();
   ~vtkSMScalarVolumeRepresentationProxy() override;
 
-  void CreateVTKObjects() override;
+  void FollowDisplay(vtkSMPVRepresentationProxy* display) override;
 
 private:
   vtkSMScalarVolumeRepresentationProxy(const vtkSMScalarVolumeRepresentationProxy&) = delete;
   void operator=(const vtkSMScalarVolumeRepresentationProxy&) = delete;
 
-  /// Called when the display has changed, and when its data have.
-  void FollowDisplay();
   /// Colours the display by an array where that is due. Returns whether the display colours by an
   /// array then.
   bool ColorDisplay(vtkSMPVRepresentationProxy* display);
   void ColorCategories(vtkSMPVRepresentationProxy* display);
 
-  /// The name by which the display calls this representation.
-  std::string Type;
-  bool IsFollowing = false;
   bool IsShown = false;
   bool NeedsArray = false;
   bool IsSolidByChoice = false;

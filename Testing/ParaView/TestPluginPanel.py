@@ -2,10 +2,13 @@
 """Each control that the panel shows for a representation of the plugin changes the picture; what would
 change nothing is hidden."""
 
+import os
+
 import numpy
 from paraview import simple
 
-from plugin_pictures import add_array, coordinates, grid, image, look_at, plain_view, producer, snapshot
+from plugin_pictures import (
+    add_array, coordinates, grid, image, load_texture, look_at, plain_view, producer, snapshot)
 from plugin_testing import Checks, load_plugin
 
 HIDDEN_VISIBILITIES = {"never", "multiblock_inspector"}
@@ -19,10 +22,40 @@ LIGHT = {"ProjectiveLight": 1}
 LAMP = {"AreaLight": 1, "AreaLightIntensity": 2.0, "NumberOfLightSamples": 4}
 PHASE = {"MultipleScattering": "Single", "ScatteringAnisotropy": 0.8}
 NEARBY = {"Orientation": [0.0, 0.0, 40.0]}
-COMMON = {
-    "Opacity": (0.3, {}), "Orientation": ([10.0, 20.0, 30.0], {}), "Origin": ([3.0, 0.0, 0.0], NEARBY),
-    "Position": ([1.0, 0.0, 0.0], {}), "Scale": ([0.5, 1.0, 1.0], {}), "DiffuseColor": ([1.0, 0.0, 0.0], {"array": None})}
+PLACE = {
+    "Orientation": ([10.0, 20.0, 30.0], {}), "Origin": ([3.0, 0.0, 0.0], NEARBY), "Position": ([1.0, 0.0, 0.0], {}),
+    "Scale": ([0.5, 1.0, 1.0], {})}
+COMMON = {**PLACE, "Opacity": (0.3, {}), "DiffuseColor": ([1.0, 0.0, 0.0], {"array": None})}
+
+
+def picture():
+    """A texture to paint with."""
+    return load_texture(os.path.join(
+        os.path.dirname(__file__), "..", "..", "Documentation", "pictures", "flow-disk.png"))
+
+
+PAINT = {"InflowTexture": picture}
+DETAIL = {"InflowDetailTexture": picture}
+PULSES = {"InflowPulseLength": 0.5, "InflowTimePeriod": 2.0}
+BY_TIME = {"InflowUseOpacityArray": 1, "InflowOpacityArray": ["POINTS", "AdvectionTime"]}
+SHADED = {"InflowShade": 1, "InflowShadingArray": ["POINTS", "AdvectionTime"]}
 CASES = {
+    "Inflow Textures": (None, {
+        **PLACE, "InflowTexture": (picture, {}), "InflowSurfaceTexture": (None, {}), "InflowSurfaceId": (None, {}),
+        "InflowDefaultColor": ([1.0, 0.0, 0.0], {}), "InflowDefaultOpacity": (0.5, {}),
+        "InflowOpacityUnitDistance": (0.2, {}), "InflowDetailTexture": (picture, {}), "InflowDetailMode": ("Over", DETAIL),
+        "InflowDetailScale": ([5.0, 3.0, 1.0], DETAIL), "InflowPulseLength": (0.5, {"InflowTimePeriod": 2.0}),
+        "InflowTimeGateTarget": ("Detail", {**DETAIL, **PULSES}), "InflowTimePeriod": (0.7, PULSES),
+        "InflowTimePhase": (0.3, PULSES), "InflowUseOpacityArray": (1, {**BY_TIME, "InflowUseOpacityArray": 0}),
+        "InflowOpacityArray": (["POINTS", "TerminationId"], BY_TIME), "InflowOpacityRange": ([0.0, 30.0], BY_TIME),
+        "InflowShade": (1, {**SHADED, "InflowShade": 0}), "InflowShadingArray": (["POINTS", "TerminationId"], SHADED),
+        "InflowShadows": (1, {}), "InflowLightBufferSize": (16, {"InflowShadows": 1}),
+        "InflowUseCropping": (1, {"InflowCroppingScale": [0.5, 0.5, 0.5]}),
+        "InflowCroppingOrigin": ([0.3, 0.0, 0.0], {"InflowUseCropping": 1}),
+        "InflowCroppingScale": ([0.5, 0.5, 0.5], {"InflowUseCropping": 1}), "InflowPaintFilter": (0, PAINT),
+        "InflowMaximumPaintSamples": (1, PAINT), "InflowSampleDistance": (0.5, PAINT),
+        "InflowImageSampleDistance": (6.0, {}), "Ambient": (0.7, SHADED), "Diffuse": (0.2, SHADED),
+        "Specular": (0.9, SHADED), "SpecularPower": (2.0, {**SHADED, "Specular": 1.0})}),
     "Interval Volume": (grid, {
         **COMMON, "IntervalBlendMode": ("Additive", {}), "IntervalOpacityUnitDistance": (20.0, {}),
         "IntervalDeltaTArrayName": ("value", {}), "IntervalIntegrationMode": ("Average Color", {}),
@@ -63,10 +96,10 @@ CASES = {
         "ScatteringForwardSpread": (0.5, {"MultipleScattering": "Forward"}),
         "ScatteringBackwardLayers": (1, {"MultipleScattering": "Full"}),
         "ScatteringGridSize": (4, {"MultipleScattering": "Full"})})}
-# Take a texture file, surfaces beside the volume, or several processes; TestPluginShadowedSlices,
-# TestPluginAreaLight, TestPluginSceneShadows and TestPluginPieceShadows draw with them.
+# Take a texture file, surfaces, or several processes; TestPluginShadowedSlices, TestPluginAreaLight,
+# TestPluginInflowTextures, TestPluginSceneShadows and TestPluginPieceShadows draw with them.
 TESTED_ELSEWHERE = {
-    "AreaLightImage", "ProjectiveLightImage", "SceneDepthBias", "SceneDepthMapResolution", "SceneShadows",
+    "AreaLightImage", "InflowSurfaceId", "InflowSurfaceTexture", "ProjectiveLightImage", "SceneDepthBias", "SceneDepthMapResolution", "SceneShadows",
     "ShadowGridResolution"}
 
 
@@ -129,7 +162,17 @@ def make_data(make):
     return data
 
 
+def make_source(make):
+    """Made data, or a flow field."""
+    if make:
+        return producer(make_data(make))
+    flow = simple.AnalyticFlow()
+    flow.UpdatePipeline()
+    return simple.ImplicitFlowField(Input=flow)
+
+
 def set_value(display, name, value):
+    value = value() if callable(value) else value
     if name == "array":
         simple.ColorBy(display, value)
     else:
@@ -140,7 +183,8 @@ def check_control(checks, source, representation, name, value, first):
     view = plain_view()
     display = simple.Show(source, view)
     display.SetRepresentationType(representation)
-    simple.ColorBy(display, ["POINTS", "value"])
+    if source.PointData["value"]:
+        simple.ColorBy(display, ["POINTS", "value"])
     for key, setting in first.items():
         set_value(display, key, setting)
     look_at(view)
@@ -156,7 +200,7 @@ def main():
     load_plugin()
     checks = Checks()
     for representation, (make, values) in CASES.items():
-        source = producer(make_data(make))
+        source = make_source(make)
         view = plain_view()
         display = simple.Show(source, view)
         display.SetRepresentationType(representation)
