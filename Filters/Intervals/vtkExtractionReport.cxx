@@ -18,6 +18,8 @@ void vtkExtractionReport::Add(const vtkExtractionReport& other)
   this->ConcavePolyhedra += other.ConcavePolyhedra;
   this->UnsupportedCells += other.UnsupportedCells;
   this->CollapsedSimplices += other.CollapsedSimplices;
+  this->WholeCells += other.WholeCells;
+  this->WarpedFaces += other.WarpedFaces;
   this->ArraysInterpolated = std::max(this->ArraysInterpolated, other.ArraysInterpolated);
   this->ArraysCopied = std::max(this->ArraysCopied, other.ArraysCopied);
   this->Passes = std::max(this->Passes, other.Passes);
@@ -33,7 +35,8 @@ void vtkExtractionReport::Print(ostream& os, vtkIndent indent) const
       { "NonFiniteCells", this->NonFiniteCells }, { "BlankedCells", this->BlankedCells },
       { "LinearizedCells", this->LinearizedCells }, { "ConcavePolyhedra", this->ConcavePolyhedra },
       { "UnsupportedCells", this->UnsupportedCells },
-      { "CollapsedSimplices", this->CollapsedSimplices },
-      { "ArraysInterpolated", this->ArraysInterpolated }, { "ArraysCopied", this->ArraysCopied },
-      { "Passes", this->Passes }, { "WorkingBytes", this->WorkingBytes } });
+      { "CollapsedSimplices", this->CollapsedSimplices }, { "WholeCells", this->WholeCells },
+      { "WarpedFaces", this->WarpedFaces }, { "ArraysInterpolated", this->ArraysInterpolated },
+      { "ArraysCopied", this->ArraysCopied }, { "Passes", this->Passes },
+      { "WorkingBytes", this->WorkingBytes } });
 }

@@ -42,6 +42,11 @@ struct INTERLUMEINTERVALS_EXPORT vtkExtractionReport
   /// The number of simplices of the tables' cases not emitted since values equal a bound, or
   /// corners of a cell are one point: they have no volume.
   vtkIdType CollapsedSimplices = 0;
+  /// The number of cells passed on whole, and of quadrilaterals, not planar, where such a cell
+  /// meets tetrahedra of its interval: there a line of sight may find a gap or an overlap as thick
+  /// as the face is bent. 0 without KeepWholeCells.
+  vtkIdType WholeCells = 0;
+  vtkIdType WarpedFaces = 0;
   /// The numbers of point arrays interpolated (coordinates not counted) and of cell arrays copied.
   int ArraysInterpolated = 0;
   int ArraysCopied = 0;

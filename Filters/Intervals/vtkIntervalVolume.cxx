@@ -8,6 +8,7 @@
 #include "Static/ExtractionIndex.h"
 #include "Static/ExtractionInput.h"
 #include "Static/GhostCells.h"
+#include "Static/WholeCells.h"
 
 #include "vtkCellData.h"
 #include "vtkCommand.h"
@@ -180,14 +181,16 @@ int vtkIntervalVolume::RequestData(
   vtkNew<vtkUnstructuredGrid> cutBoundary;
   vtkDataArray* scalars = vtkDataArray::SafeDownCast(array);
   this->SetProgressText("Extracting the intervals");
-  bool completed = this->ExtractIntervals(input, scalars, cut, cutBoundary);
+  interlume::WholePass wholePass;
+  interlume::WholePass* const whole = this->KeepWholeCells ? &wholePass : nullptr;
+  bool completed = this->ExtractIntervals(input, scalars, whole, cut, cutBoundary);
   this->Empty->Add(input, scalars, cut->GetNumberOfCells());
   for (int pass = 1; completed && pass < passes; ++pass)
   {
     this->SetProgressText(
       ("Cutting to the criterion on " + this->Criteria[pass - 1].ArrayName).c_str());
     this->SetProgressShiftScale(static_cast<double>(pass) / passes, 1.0 / passes);
-    completed = this->ApplyCriterion(pass - 1, cut, cutBoundary);
+    completed = this->ApplyCriterion(pass - 1, whole, cut, cutBoundary);
   }
   this->SetProgressShiftScale(0.0, 1.0);
   if (completed)
@@ -202,8 +205,16 @@ int vtkIntervalVolume::RequestData(
 }
 
 bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalars,
-  vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary)
+  interlume::WholePass* whole, vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary)
 {
+  for (const Criterion& criterion : this->Criteria)
+  {
+    if (whole)
+    {
+      whole->Exclude(input->GetPointData()->GetArray(criterion.ArrayName.c_str()), criterion.Lower,
+        criterion.Upper);
+    }
+  }
   const interlume::ExtractionValues values =
     interlume::ExtractionValues::ForIntervals(this->GetIntervals());
   vtkExtractionReport report;
@@ -215,6 +226,7 @@ bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalar
   extraction.OutputPointsPrecision = this->GetOutputPointsPrecision();
   extraction.GenerateBoundaries = this->GenerateBoundaries;
   extraction.KeepOrigins = this->KeepOrigins && this->Criteria.empty();
+  extraction.Whole = whole;
   const bool completed = extraction.Execute(input, scalars, output, boundary, report);
   this->Report.Add(report);
   for (const std::string& warning :
@@ -226,7 +238,7 @@ bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalar
 }
 
 bool vtkIntervalVolume::ApplyCriterion(
-  int number, vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary)
+  int number, interlume::WholePass* whole, vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary)
 {
   const Criterion& criterion = this->Criteria[number];
   vtkNew<vtkUnstructuredGrid> before;
@@ -242,6 +254,7 @@ bool vtkIntervalVolume::ApplyCriterion(
   extraction.Owner = this;
   extraction.Values = &values;
   extraction.KeepOrientation = true;
+  extraction.Whole = whole;
   extraction.InputBoundary = this->GenerateBoundaries ? boundaryBefore.GetPointer() : nullptr;
   vtkDataArray* array = before->GetPointData()->GetArray(criterion.ArrayName.c_str());
   const bool completed = extraction.Execute(before, array, grid, boundary, report);
@@ -282,6 +295,7 @@ void vtkIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)
        << criterion.Upper << "\n";
   }
   os << indent << "GenerateBoundaries: " << this->GenerateBoundaries << "\n";
+  os << indent << "KeepWholeCells: " << this->KeepWholeCells << "\n";
   os << indent << "KeepOrigins: " << this->KeepOrigins << "\n";
   os << indent << "UseValueIndex: " << this->UseValueIndex << "\n";
   os << indent << "Report:\n";

@@ -18,6 +18,7 @@ namespace interlume
 {
 class EmptyResult;
 class ExtractionIndex;
+struct WholePass;
 }
 
 /**
@@ -40,8 +41,8 @@ class ExtractionIndex;
  * and blanked cells are left out and counted in GetReport(). The scalar: SetInputArrayToProcess(0,
  * ...), by default the active point scalars, one component.
  *
- * Output port 0: VTK_TETRA cells in a vtkUnstructuredGrid (a composite input gives a composite
- * output of the same structure), with
+ * Output port 0: VTK_TETRA cells, and others with KeepWholeCells, in a vtkUnstructuredGrid (a
+ * composite input gives a composite output of the same structure), with
  * - every point array, interpolated linearly along the grid edge a point lies on; integers come out
  *   as float (8 and 16 bits) or double; the scalar is the active one;
  * - every cell array, copied from the cell a tetrahedron comes from;
@@ -74,6 +75,25 @@ class ExtractionIndex;
  * to the last bit. Nothing of ghost cells is in the output. Of an input that gives none, such as a
  * file of pieces without them, a face between two pieces is one of the domain for both; and so it
  * is where f equals a bound of a criterion.
+ *
+ * Whole cells (KeepWholeCells): of each interval the same region, in fewer cells. A cell that is
+ * wholly inside an interval, all corners and, of a polyhedron, all points, and within all criteria,
+ * is passed on as it is: its type, and its points in their order, left-handed where the input's is;
+ * a voxel for a cell of an image or a rectilinear grid (a hexahedron where the image's axes are not
+ * those of space), of a quadratic cell the linear one of its corners. Only cells that are cut
+ * become tetrahedra, the same as without. A tetrahedron comes out as without in any case, so that
+ * on a mesh of tetrahedra nothing changes. Port 0 has the tetrahedra first, then the whole cells,
+ * each in the order of the input; port 1 is the same as without. Where a whole cell meets
+ * tetrahedra of the same interval, its quadrilateral lies beside two triangles, which have its four
+ * points and the diagonal from the first of them in the global order; a polygon with more corners
+ * beside a fan from that point. With whole faces cut so, the faces of an interval cancel as above.
+ * Where the faces are planar both sides cover the same points, to rounding, and volumes add up as
+ * without. A face that is not planar is a bilinear surface to some readers of a whole cell, and two
+ * triangles to its neighbour: a gap or an overlap as thick as the face is bent. GetReport() counts
+ * the quadrilaterals where that is so; polygons with more corners are not counted. A concave
+ * polyhedron that is whole has its own volume, without the overlap above. Whole cells are no input
+ * for vtkTimeWeightedTetrahedraMapper, which says so; vtkIntervalVolume over the scalar's whole
+ * range cuts them as it would have at once where there are no global ids.
  *
  * The cells' ids are stored in 32 bits where they fit (vtkCellArray::IsStorage64Bit tells).
  *
@@ -133,6 +153,16 @@ public:
 
   ///@{
   /**
+   * Whether cells that are wholly inside an interval and all criteria are passed on as they are,
+   * and only cells that are cut become tetrahedra; see above. Default off.
+   */
+  vtkSetMacro(KeepWholeCells, bool);
+  vtkGetMacro(KeepWholeCells, bool);
+  vtkBooleanMacro(KeepWholeCells, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether the outputs carry arrays that tell where they come from: point arrays `OriginPoints`
    * (vtkIdType, 2 components: the input's points whose edge an output point lies on, twice the same
    * for one of the input's points) and `OriginWeight` (double, 0 to 1/2: how far from the first to
@@ -187,11 +217,13 @@ private:
 
   /// Returns why the intervals or criteria cannot be used, or nothing.
   std::string CheckParameters(vtkDataSet* input) const;
-  /// Runs the first pass. Returns false when the user aborted.
-  bool ExtractIntervals(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructuredGrid* output,
-    vtkUnstructuredGrid* boundary);
+  /// Runs the first pass; \a whole is null where cells are not kept whole. Returns false when the
+  /// user aborted.
+  bool ExtractIntervals(vtkDataSet* input, vtkDataArray* scalars, interlume::WholePass* whole,
+    vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary);
   /// Runs a further pass, over the result of the one before.
-  bool ApplyCriterion(int number, vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary);
+  bool ApplyCriterion(int number, interlume::WholePass* whole, vtkUnstructuredGrid* grid,
+    vtkUnstructuredGrid* boundary);
 
   ///@{
   /// Begins and ends an execution, over one dataset or over all.
@@ -201,6 +233,7 @@ private:
 
   std::vector<Criterion> Criteria;
   bool GenerateBoundaries = false;
+  bool KeepWholeCells = false;
   bool KeepOrigins = false;
   bool UseValueIndex = true;
   vtkExtractionReport Report;

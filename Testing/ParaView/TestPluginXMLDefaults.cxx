@@ -327,6 +327,7 @@ int main(int argc, char* argv[])
   Check(interval->GetNumberOfCriteria() == 0, "vtkIntervalVolume starts without a criterion");
   CompareWithXML(folder + "/IntervalVolume.xml", "SourceProxy", "vtkIntervalVolume", "",
     { { "Criteria", "" }, { "GenerateBoundaries", Text(interval->GetGenerateBoundaries()) },
+      { "KeepWholeCells", Text(interval->GetKeepWholeCells()) },
       { "OutputPointsPrecision", Text(interval->GetOutputPointsPrecision()) },
       { "UseValueIndex", Text(interval->GetUseValueIndex()) } });
 

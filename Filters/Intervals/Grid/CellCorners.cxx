@@ -58,4 +58,19 @@ CellCorners CellCorners::Of(int cellType)
   }
 }
 
+unsigned char CellCorners::GetLinearType() const
+{
+  switch (this->Shape)
+  {
+    case vtkIsotable::TETRAHEDRON:
+      return VTK_TETRA;
+    case vtkIsotable::PYRAMID:
+      return VTK_PYRAMID;
+    case vtkIsotable::WEDGE:
+      return VTK_WEDGE;
+    default:
+      return VTK_HEXAHEDRON;
+  }
+}
+
 }

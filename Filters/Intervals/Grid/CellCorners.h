@@ -34,6 +34,9 @@ public:
 
   bool HasTable() const { return this->Kind == LINEAR || this->Kind == HIGHER_ORDER; }
 
+  /// Returns the type of the linear cell that a cell of a higher order is taken for.
+  unsigned char GetLinearType() const;
+
   static CellCorners Of(int cellType);
 };
 

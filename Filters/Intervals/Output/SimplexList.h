@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <limits>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace interlume
@@ -23,6 +24,9 @@ namespace interlume
 /**
  * @class   SimplexList
  * @brief   the point ids of tetrahedra or triangles, in 32 bits where they fit
+ *
+ * Whole cells of any number of points may follow the simplices; their places are those of their
+ * first ids among the ids of all whole cells.
  *
  * 32 bits are enough while neither a point id nor the length of the list passes 2^31 - 1; the
  * vtkCellArray that is made of the list has the same width, since half of the bytes is half of the
@@ -39,32 +43,85 @@ public:
     return numberOfPoints <= most && numberOfIds <= most;
   }
 
-  /// Makes room for \a number simplices of \a size points each.
-  void Allocate(vtkIdType number, int size, vtkIdType numberOfPoints)
+  /// Makes room for \a number simplices of \a size points each, and for \a wholeCells with
+  /// \a wholeIds points in all.
+  void Allocate(vtkIdType number, int size, vtkIdType numberOfPoints, vtkIdType wholeCells = 0,
+    vtkIdType wholeIds = 0)
   {
     this->Number = number;
     this->Size = size;
+    this->NumberOfWhole = wholeCells;
     this->Narrow = nullptr;
     this->Wide = nullptr;
-    if (AreIdsNarrow(numberOfPoints, number * size))
+    this->NarrowOffsets = nullptr;
+    this->WideOffsets = nullptr;
+    const vtkIdType ids = number * size + wholeIds;
+    const auto allocate = [&](auto& values, auto& offsets)
     {
-      this->Narrow = vtkSmartPointer<vtkTypeInt32Array>::New();
-      this->Narrow->SetNumberOfValues(number * size);
-      ExtractionMemory::PreferLargePages(this->Narrow);
+      using Array = std::decay_t<decltype(*values)>;
+      values = vtkSmartPointer<Array>::New();
+      values->SetNumberOfValues(ids);
+      ExtractionMemory::PreferLargePages(values);
+      if (wholeCells > 0)
+      {
+        offsets = this->NewOffsets<Array>();
+        Set(offsets->GetPointer(0)[number + wholeCells], ids);
+      }
+    };
+    if (AreIdsNarrow(numberOfPoints, ids))
+    {
+      allocate(this->Narrow, this->NarrowOffsets);
     }
     else
     {
-      this->Wide = vtkSmartPointer<vtkTypeInt64Array>::New();
-      this->Wide->SetNumberOfValues(number * size);
-      ExtractionMemory::PreferLargePages(this->Wide);
+      allocate(this->Wide, this->WideOffsets);
     }
+  }
+
+  vtkIdType GetNumber() const { return this->Number; }
+  vtkIdType GetNumberOfWhole() const { return this->NumberOfWhole; }
+
+  /// Returns the number of ids of all cells, and one of them; those of whole cells are the last.
+  vtkIdType GetNumberOfIds() const
+  {
+    return this->Wide ? this->Wide->GetNumberOfValues()
+      : this->Narrow  ? this->Narrow->GetNumberOfValues()
+                      : 0;
+  }
+  vtkIdType GetIdAt(vtkIdType at) const
+  {
+    return this->Wide ? static_cast<vtkIdType>(this->Wide->GetValue(at))
+                      : static_cast<vtkIdType>(this->Narrow->GetValue(at));
+  }
+
+  /// Returns the places [first, last) of a whole cell's ids among all ids.
+  std::pair<vtkIdType, vtkIdType> GetWhole(vtkIdType cell) const
+  {
+    const vtkIdType at = this->Number + cell;
+    return this->Wide ? std::make_pair<vtkIdType, vtkIdType>(
+                          this->WideOffsets->GetValue(at), this->WideOffsets->GetValue(at + 1))
+                      : std::make_pair<vtkIdType, vtkIdType>(
+                          this->NarrowOffsets->GetValue(at), this->NarrowOffsets->GetValue(at + 1));
+  }
+
+  /// Writes a whole cell, whose ids begin at \a place.
+  void WriteWhole(vtkIdType cell, vtkIdType place, const vtkIdType* ids, int number)
+  {
+    const vtkIdType first = this->Number * this->Size + place;
+    this->VisitAll(
+      [&](auto* values, auto* offsets)
+      {
+        Set(offsets[this->Number + cell], first);
+        for (int i = 0; i < number; ++i)
+        {
+          Set(values[first + i], ids[i]);
+        }
+      });
   }
 
   vtkIdType GetId(vtkIdType simplex, int point) const
   {
-    const vtkIdType at = simplex * this->Size + point;
-    return this->Wide ? static_cast<vtkIdType>(this->Wide->GetValue(at))
-                      : static_cast<vtkIdType>(this->Narrow->GetValue(at));
+    return this->GetIdAt(simplex * this->Size + point);
   }
 
   /// Writes \a number simplices from the first on, given by slots; \a ids has the id of each slot.
@@ -99,18 +156,51 @@ public:
       { std::copy_n(values + from * this->Size, this->Size, values + to * this->Size); });
   }
 
-  /// Forgets all but the first \a number simplices.
+  /// Forgets all but the first \a number simplices; the whole cells follow these.
   void Truncate(vtkIdType number)
   {
+    const vtkIdType gone = this->Number - number;
+    const vtkIdType before = this->GetNumberOfIds();
+    if (this->NumberOfWhole > 0)
+    {
+      this->VisitAll(
+        [&](auto* values, auto* offsets)
+        {
+          std::copy(
+            values + this->Number * this->Size, values + before, values + number * this->Size);
+          for (vtkIdType cell = 0; cell <= this->NumberOfWhole; ++cell)
+          {
+            Set(offsets[number + cell], offsets[this->Number + cell] - gone * this->Size);
+          }
+        });
+    }
     this->Number = number;
-    if (this->Narrow)
+    this->Shorten(before - gone * this->Size);
+  }
+
+  /// Leaves out the whole cells that are marked.
+  void RemoveWhole(const std::vector<bool>& isRemoved)
+  {
+    vtkIdType kept = 0;
+    vtkIdType place = this->Number * this->Size;
+    for (vtkIdType cell = 0; cell < this->NumberOfWhole; ++cell)
     {
-      this->Narrow->SetNumberOfValues(number * this->Size);
+      const auto ids = this->GetWhole(cell);
+      if (!isRemoved[cell])
+      {
+        this->VisitAll(
+          [&](auto* values, auto* offsets)
+          {
+            std::copy(values + ids.first, values + ids.second, values + place);
+            Set(offsets[this->Number + kept], place);
+          });
+        place += ids.second - ids.first;
+        ++kept;
+      }
     }
-    else if (this->Wide)
-    {
-      this->Wide->SetNumberOfValues(number * this->Size);
-    }
+    this->VisitAll([&](auto*, auto* offsets) { Set(offsets[this->Number + kept], place); });
+    this->NumberOfWhole = kept;
+    this->Shorten(place);
   }
 
   /**
@@ -131,7 +221,7 @@ public:
           visit(p, kept);
           kept += marks[p] != 0;
         }
-        vtkSMPTools::For(0, this->Number * this->Size,
+        vtkSMPTools::For(0, this->GetNumberOfIds(),
           [values, &newIds](vtkIdType first, vtkIdType last)
           {
             for (vtkIdType i = first; i < last; ++i)
@@ -148,13 +238,29 @@ public:
     auto cells = vtkSmartPointer<vtkCellArray>::New();
     if (this->Narrow)
     {
-      cells->SetData(this->MakeOffsets<vtkTypeInt32Array>(), this->Narrow);
+      cells->SetData(this->MakeOffsets(this->NarrowOffsets), this->Narrow);
     }
     else if (this->Wide)
     {
-      cells->SetData(this->MakeOffsets<vtkTypeInt64Array>(), this->Wide);
+      cells->SetData(this->MakeOffsets(this->WideOffsets), this->Wide);
     }
     return cells;
+  }
+
+  /// Makes a copy of the simplices alone.
+  SimplexList CopySimplices() const
+  {
+    SimplexList copy;
+    copy.Allocate(this->Number, this->Size, this->Wide ? std::numeric_limits<vtkIdType>::max() : 0);
+    copy.Visit(
+      [this](auto* values)
+      {
+        for (vtkIdType at = 0; at < this->Number * this->Size; ++at)
+        {
+          Set(values[at], this->GetIdAt(at));
+        }
+      });
+    return copy;
   }
 
 private:
@@ -168,6 +274,36 @@ private:
     else if (this->Wide)
     {
       visit(this->Wide->GetPointer(0));
+    }
+  }
+
+  // Gives up the room after the last cell, whose ids end at \a ids.
+  void Shorten(vtkIdType ids)
+  {
+    const auto shorten = [](auto& array, vtkIdType size)
+    {
+      if (array)
+      {
+        array->SetNumberOfValues(size);
+      }
+    };
+    shorten(this->Narrow, ids);
+    shorten(this->Wide, ids);
+    shorten(this->NarrowOffsets, this->Number + this->NumberOfWhole + 1);
+    shorten(this->WideOffsets, this->Number + this->NumberOfWhole + 1);
+  }
+
+  // Visits the ids and the offsets, where there are whole cells.
+  template <typename Visitor>
+  void VisitAll(Visitor&& visit)
+  {
+    if (this->Narrow)
+    {
+      visit(this->Narrow->GetPointer(0), this->NarrowOffsets->GetPointer(0));
+    }
+    else
+    {
+      visit(this->Wide->GetPointer(0), this->WideOffsets->GetPointer(0));
     }
   }
 
@@ -194,15 +330,23 @@ private:
   }
 
   template <typename Array>
-  vtkSmartPointer<Array> MakeOffsets() const
+  vtkSmartPointer<Array> NewOffsets() const
+  {
+    auto offsets = vtkSmartPointer<Array>::New();
+    offsets->SetNumberOfValues(this->Number + this->NumberOfWhole + 1);
+    ExtractionMemory::PreferLargePages(offsets);
+    return offsets;
+  }
+
+  // Completes the offsets; those of whole cells, where there are any, are there.
+  template <typename Array>
+  vtkSmartPointer<Array> MakeOffsets(const vtkSmartPointer<Array>& ofWhole) const
   {
     using Id = typename Array::ValueType;
-    auto offsets = vtkSmartPointer<Array>::New();
-    offsets->SetNumberOfValues(this->Number + 1);
-    ExtractionMemory::PreferLargePages(offsets);
+    const vtkSmartPointer<Array> offsets = ofWhole ? ofWhole : this->NewOffsets<Array>();
     Id* values = offsets->GetPointer(0);
     const Id size = this->Size;
-    vtkSMPTools::For(0, this->Number + 1,
+    vtkSMPTools::For(0, this->Number + (ofWhole ? 0 : 1),
       [values, size](vtkIdType first, vtkIdType last)
       {
         for (vtkIdType i = first; i < last; ++i)
@@ -215,8 +359,12 @@ private:
 
   vtkIdType Number = 0;
   int Size = 4;
+  vtkIdType NumberOfWhole = 0;
   vtkSmartPointer<vtkTypeInt32Array> Narrow;
   vtkSmartPointer<vtkTypeInt64Array> Wide;
+  // The offsets of all cells, where there are whole cells; else null.
+  vtkSmartPointer<vtkTypeInt32Array> NarrowOffsets;
+  vtkSmartPointer<vtkTypeInt64Array> WideOffsets;
 };
 
 }

@@ -9,6 +9,9 @@
 #include "Static/GhostCells.h"
 #include "Static/StructuredExtraction.h"
 #include "Static/UnstructuredExtraction.h"
+#include "Static/WarpedFaces.h"
+#include "Static/WholeCells.h"
+#include "Static/WholeOutput.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -20,6 +23,8 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace interlume
 {
@@ -117,7 +122,9 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   int dimensions[3];
   ExtractionIndex::LinearGrid ownLinear;
   ExtractionIndex::LinearGrid* linear = nullptr;
-  if (!ExtractionArrays::GetRowDimensions(input, dimensions) &&
+  // A further pass leaves its polyhedra as they are.
+  const bool isFurther = this->Whole && this->Whole->First >= 0;
+  if (!isFurther && !ExtractionArrays::GetRowDimensions(input, dimensions) &&
     ExtractionLinearizer::IsNeeded(input))
   {
     linear = this->Index ? &this->Index->GetLinearGrid(input) : &ownLinear;
@@ -134,6 +141,14 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   const vtkSmartPointer<vtkDataArray> contiguous = ExtractionDispatch::MakeContiguous(scalars);
   context.Scalars = contiguous;
 
+  std::optional<WholeCells> whole;
+  if (this->Whole)
+  {
+    whole.emplace(input, linear ? &linear->CellIds : nullptr, *this->Whole);
+    context.Whole = &*whole;
+    context.KeepCellIds |= whole->HasParts();
+  }
+
   ExtractionMesh mesh;
   mesh.HasSeveralItems = this->Values->GetItems().size() > 1;
   if (!this->ExtractMesh(context, mesh))
@@ -147,7 +162,7 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   }
   if (!mesh.TiedTriangles.empty())
   {
-    ExtractionCleanup::SettleTiedTriangles(mesh);
+    ExtractionCleanup::SettleTiedTriangles(context, mesh);
   }
   if (context.TakeDuplicates)
   {
@@ -159,13 +174,24 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   }
   if (this->InputBoundary)
   {
-    ExtractionCleanup::CutBoundary(context.Input, this->InputBoundary, mesh);
+    ExtractionCleanup::CutBoundary(context.Input, this->InputBoundary, this->Whole, mesh);
+  }
+  const vtkSmartPointer<vtkPoints> points =
+    ExtractionArrays::MakePoints(context.Input, mesh.Points, this->OutputPointsPrecision);
+  if (this->Whole)
+  {
+    report.WholeCells = mesh.Simplices.GetNumberOfWhole();
+    report.WarpedFaces = isFurther ? 0 : WarpedFaces::Count(context, mesh, points);
+    this->Whole->First = mesh.Simplices.GetNumber();
+    this->Whole->Points.Free();
+    this->Whole->TriangleWholes = std::move(mesh.TriangleWholes);
   }
   if (linear)
   {
     MapIds(linear->CellIds, mesh.CellIds.GetData(), mesh.CellIds.GetSize());
     MapIds(linear->CellIds, mesh.TriangleCellIds.data(), mesh.TriangleCellIds.size());
   }
+  output->SetPoints(points);
   this->FillOutput(context, mesh, input, output);
   if (boundary && (this->GenerateBoundaries || this->InputBoundary))
   {
@@ -181,11 +207,16 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
 void Extraction::FillOutput(const ExtractionContext& context, ExtractionMesh& mesh,
   vtkDataSet* original, vtkUnstructuredGrid* output) const
 {
-  output->SetPoints(
-    ExtractionArrays::MakePoints(context.Input, mesh.Points, this->OutputPointsPrecision));
   this->Owner->UpdateProgress(0.85);
-  output->SetCells(
-    context.GetSimplexSize() == 4 ? VTK_TETRA : VTK_TRIANGLE, mesh.Simplices.MakeCells());
+  if (mesh.Simplices.GetNumberOfWhole() > 0)
+  {
+    WholeOutput::SetCells(original, mesh, output);
+  }
+  else
+  {
+    output->SetCells(
+      context.GetSimplexSize() == 4 ? VTK_TETRA : VTK_TRIANGLE, mesh.Simplices.MakeCells());
+  }
   ExtractionArrays::InterpolatePointData(
     context.Input->GetPointData(), mesh.Points, output->GetPointData());
   this->Owner->UpdateProgress(0.95);

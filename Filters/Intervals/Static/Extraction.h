@@ -9,6 +9,8 @@ class vtkUnstructuredGrid;
 namespace interlume
 {
 
+struct WholePass;
+
 /**
  * @class   Extraction
  * @brief   one pass of contouring or interval extraction over one dataset
@@ -30,6 +32,8 @@ public:
   bool KeepOrigins = false;
   /// Whether the input's tetrahedra are oriented as they are stored, for a further criterion.
   bool KeepOrientation = false;
+  /// What passes tell each other of cells that are passed on whole; null where none are.
+  WholePass* Whole = nullptr;
   /**
    * The boundary of the input, as port 1 of the pass before, for a further criterion. Its triangles
    * are cut like the tetrahedra they belong to. Null for none.

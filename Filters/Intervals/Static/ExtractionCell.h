@@ -70,6 +70,17 @@ public:
     }
   }
 
+  /// Returns the key of an interval's case where all vertices are inside.
+  static int GetKeyInside(int vertices)
+  {
+    int key = 0;
+    for (int v = 0; v < vertices; ++v)
+    {
+      key = 3 * key + 1;
+    }
+    return key;
+  }
+
   template <typename Id>
   static bool IsCollapsed(const Id* ids, int number)
   {

@@ -2,7 +2,8 @@
 #include "Static/ExtractionCleanup.h"
 
 #include "Output/OppositePairs.h"
-#include "Output/TiedFaces.h"
+#include "Static/WholeCells.h"
+#include "Static/WholeFaces.h"
 
 #include "vtkCellData.h"
 #include "vtkIdList.h"
@@ -25,10 +26,10 @@ constexpr int FacesOutward[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0,
 // Leaves out the simplices that are marked.
 void RemoveSimplices(ExtractionMesh& mesh, const std::vector<bool>& isRemoved)
 {
-  const vtkIdType number = mesh.ItemIds->GetNumberOfValues();
+  const vtkIdType number = mesh.Simplices.GetNumber();
   // Those before the first one stay where they are.
-  vtkIdType kept =
-    static_cast<vtkIdType>(std::find(isRemoved.begin(), isRemoved.end(), true) - isRemoved.begin());
+  vtkIdType kept = static_cast<vtkIdType>(
+    std::find(isRemoved.begin(), isRemoved.begin() + number, true) - isRemoved.begin());
   for (vtkIdType simplex = kept; simplex < number; ++simplex)
   {
     if (!isRemoved[simplex])
@@ -42,9 +43,37 @@ void RemoveSimplices(ExtractionMesh& mesh, const std::vector<bool>& isRemoved)
       ++kept;
     }
   }
-  mesh.Simplices.Truncate(kept);
+  mesh.TruncateSimplices(kept);
+}
+
+// Leaves out the whole cells that are marked, after \a simplicesGone simplices.
+void RemoveWhole(ExtractionMesh& mesh, const std::vector<bool>& isRemoved, vtkIdType simplicesGone)
+{
+  const vtkIdType simplices = mesh.Simplices.GetNumber();
+  std::vector<vtkIdType> newPlaces(isRemoved.size(), -1);
+  vtkIdType kept = simplices;
+  for (std::size_t cell = 0; cell < isRemoved.size(); ++cell)
+  {
+    if (!isRemoved[cell])
+    {
+      const vtkIdType from = simplices + static_cast<vtkIdType>(cell);
+      mesh.ItemIds->SetValue(kept, mesh.ItemIds->GetValue(from));
+      mesh.WholeTypes[kept - simplices] = mesh.WholeTypes[cell];
+      if (mesh.CellIds.GetSize() > 0)
+      {
+        mesh.CellIds[kept] = mesh.CellIds[from];
+      }
+      newPlaces[cell] = kept++;
+    }
+  }
+  mesh.Simplices.RemoveWhole(isRemoved);
   mesh.ItemIds->SetNumberOfValues(kept);
+  mesh.WholeTypes.Truncate(kept - simplices);
   mesh.CellIds.Truncate(mesh.CellIds.GetSize() > 0 ? kept : 0);
+  for (vtkIdType& whole : mesh.TriangleWholes)
+  {
+    whole = whole < 0 ? whole : newPlaces[whole - simplices - simplicesGone];
+  }
 }
 
 // Leaves out the boundary triangles that are marked.
@@ -64,6 +93,10 @@ void RemoveTriangles(ExtractionMesh& mesh, const std::vector<bool>& isRemoved)
       {
         mesh.TriangleCellIds[kept] = mesh.TriangleCellIds[t];
       }
+      if (!mesh.TriangleWholes.empty())
+      {
+        mesh.TriangleWholes[kept] = mesh.TriangleWholes[t];
+      }
       ++kept;
     }
   }
@@ -71,22 +104,20 @@ void RemoveTriangles(ExtractionMesh& mesh, const std::vector<bool>& isRemoved)
   mesh.TriangleItemIds->SetNumberOfValues(static_cast<vtkIdType>(kept));
   mesh.TriangleSides->SetNumberOfValues(static_cast<vtkIdType>(kept));
   mesh.TriangleCellIds.resize(mesh.TriangleCellIds.empty() ? 0 : kept);
+  mesh.TriangleWholes.resize(mesh.TriangleWholes.empty() ? 0 : kept);
 }
 
-// Marks the points in use anew; simplices have \a size.
-void MarkUsed(ExtractionMesh& mesh, int size)
+// Marks the points in use anew.
+void MarkUsed(ExtractionMesh& mesh)
 {
   mesh.Used.AllocateZeros(mesh.Points.GetSize());
   const auto use = [&mesh](vtkIdType id) { mesh.Used[id].store(1, std::memory_order_relaxed); };
-  vtkSMPTools::For(0, mesh.ItemIds->GetNumberOfValues(),
+  vtkSMPTools::For(0, mesh.Simplices.GetNumberOfIds(),
     [&](vtkIdType first, vtkIdType last)
     {
-      for (vtkIdType simplex = first; simplex < last; ++simplex)
+      for (vtkIdType at = first; at < last; ++at)
       {
-        for (int p = 0; p < size; ++p)
-        {
-          use(mesh.Simplices.GetId(simplex, p));
-        }
+        use(mesh.Simplices.GetIdAt(at));
       }
     });
   for (const Triple& triangle : mesh.Triangles)
@@ -148,7 +179,7 @@ void ExtractionCleanup::RemoveOppositeSimplices(ExtractionMesh& mesh, int size)
     entry.IsOdd = OppositePairs::Sort(entry.Key.data() + 1, size);
     entries.push_back(entry);
   }
-  const vtkIdType number = mesh.ItemIds->GetNumberOfValues();
+  const vtkIdType number = mesh.Simplices.GetNumber();
   std::vector<bool> isRemoved;
   OppositePairs::Find(entries,
     [&](std::size_t place)
@@ -159,28 +190,27 @@ void ExtractionCleanup::RemoveOppositeSimplices(ExtractionMesh& mesh, int size)
   if (!isRemoved.empty())
   {
     RemoveSimplices(mesh, isRemoved);
-    MarkUsed(mesh, size);
+    MarkUsed(mesh);
   }
 }
 
-void ExtractionCleanup::RemoveMarked(ExtractionMesh& mesh, int size,
-  const std::vector<bool>& simplices, const std::vector<bool>& triangles)
+void ExtractionCleanup::RemoveMarked(
+  ExtractionMesh& mesh, const std::vector<bool>& cells, const std::vector<bool>& triangles)
 {
-  RemoveSimplices(mesh, simplices);
   RemoveTriangles(mesh, triangles);
-  MarkUsed(mesh, size);
+  const vtkIdType simplices = mesh.Simplices.GetNumber();
+  const vtkIdType simplicesGone = std::count(cells.begin(), cells.begin() + simplices, true);
+  RemoveSimplices(mesh, cells);
+  if (mesh.Simplices.GetNumberOfWhole() > 0)
+  {
+    RemoveWhole(mesh, { cells.begin() + simplices, cells.end() }, simplicesGone);
+  }
+  MarkUsed(mesh);
 }
 
-void ExtractionCleanup::SettleTiedTriangles(ExtractionMesh& mesh)
+void ExtractionCleanup::CountFaces(const ExtractionMesh& mesh, TiedFaces<3>& faces)
 {
-  TiedFaces<3> faces(mesh.Points.GetSize());
-  for (const vtkIdType t : mesh.TiedTriangles)
-  {
-    faces.Add(mesh.TriangleItemIds->GetValue(t), mesh.Triangles[t].data(), t);
-  }
-  std::vector<bool> isRemoved(mesh.Triangles.size(), false);
-  faces.Cancel([&](std::size_t place) { isRemoved[place] = true; });
-  vtkSMPTools::For(0, faces.IsEmpty() ? 0 : mesh.ItemIds->GetNumberOfValues(),
+  vtkSMPTools::For(0, faces.IsEmpty() ? 0 : mesh.Simplices.GetNumber(),
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType simplex = first; simplex < last; ++simplex)
@@ -198,10 +228,43 @@ void ExtractionCleanup::SettleTiedTriangles(ExtractionMesh& mesh)
         }
       }
     });
+}
+
+void ExtractionCleanup::SettleTiedTriangles(const ExtractionContext& context, ExtractionMesh& mesh)
+{
+  TiedFaces<3> faces(mesh.Points.GetSize());
+  for (const vtkIdType t : mesh.TiedTriangles)
+  {
+    faces.Add(mesh.TriangleItemIds->GetValue(t), mesh.Triangles[t].data(), t);
+  }
+  std::vector<bool> isRemoved(mesh.Triangles.size(), false);
+  faces.Cancel([&](std::size_t place) { isRemoved[place] = true; });
+  const vtkIdType simplices = mesh.Simplices.GetNumber();
+  CountFaces(mesh, faces);
+  if (context.Whole && !faces.IsEmpty())
+  {
+    const WholeFaces whole(context, mesh);
+    whole.ForEachCell(
+      [&](vtkIdType cell, const vtkIdType* ids, int number)
+      {
+        const vtkIdType place = simplices + cell;
+        if (faces.IsNear(ids, number))
+        {
+          whole.Visit(cell, ids, number,
+            [&](const Triple& triangle, const WholeFaces::Polygon&)
+            { faces.Count(mesh.ItemIds->GetValue(place), triangle.data(), place); });
+        }
+      });
+    mesh.TriangleWholes.assign(mesh.Triangles.size(), -1);
+  }
   faces.Visit(
     [&](std::size_t place, bool isFace, vtkIdType simplex)
     {
       isRemoved[place] = !isFace;
+      if (isFace && simplex >= simplices)
+      {
+        mesh.TriangleWholes[place] = simplex;
+      }
       if (isFace && !mesh.TriangleCellIds.empty())
       {
         mesh.TriangleCellIds[place] = mesh.CellIds[simplex];
@@ -210,27 +273,34 @@ void ExtractionCleanup::SettleTiedTriangles(ExtractionMesh& mesh)
   if (std::find(isRemoved.begin(), isRemoved.end(), true) != isRemoved.end())
   {
     RemoveTriangles(mesh, isRemoved);
-    MarkUsed(mesh, 4);
+    MarkUsed(mesh);
   }
 }
 
-void ExtractionCleanup::CutBoundary(
-  vtkDataSet* input, vtkUnstructuredGrid* inputBoundary, ExtractionMesh& mesh)
+void ExtractionCleanup::CutBoundary(vtkDataSet* input, vtkUnstructuredGrid* inputBoundary,
+  const WholePass* whole, ExtractionMesh& mesh)
 {
   vtkDataArray* itemIds = inputBoundary->GetCellData()->GetArray("IntervalId");
   vtkDataArray* sides = inputBoundary->GetCellData()->GetArray("BoundarySide");
   vtkDataArray* itemOfCell = input->GetCellData()->GetArray("IntervalId");
   vtkNew<vtkIdList> ids;
   std::map<std::pair<int, Triple>, int> sideOf;
+  const auto getWhole = [whole](vtkIdType t)
+  { return whole && !whole->TriangleWholes.empty() ? whole->TriangleWholes[t] : -1; };
   for (vtkIdType t = 0; t < inputBoundary->GetNumberOfCells(); ++t)
   {
+    if (getWhole(t) >= 0)
+    {
+      continue;
+    }
     inputBoundary->GetCellPoints(t, ids);
     Triple points{ { ids->GetId(0), ids->GetId(1), ids->GetId(2) } };
     OppositePairs::Sort(points.data(), 3);
     sideOf[{ static_cast<int>(itemIds->GetComponent(t, 0)), points }] =
       static_cast<int>(sides->GetComponent(t, 0));
   }
-  for (std::size_t simplex = 0; simplex < mesh.CellIds.GetSize(); ++simplex)
+  const vtkIdType simplices = mesh.CellIds.GetSize() > 0 ? mesh.Simplices.GetNumber() : 0;
+  for (vtkIdType simplex = 0; simplex < simplices; ++simplex)
   {
     const vtkIdType cell = mesh.CellIds[simplex];
     const int item = static_cast<int>(itemOfCell->GetComponent(cell, 0));
@@ -264,6 +334,31 @@ void ExtractionCleanup::CutBoundary(
           mesh.TriangleCellIds.push_back(cell);
         }
       }
+    }
+  }
+  if (!whole || whole->TriangleWholes.empty())
+  {
+    return;
+  }
+  // Whole cells stay as they are, and so do their triangles.
+  std::vector<vtkIdType> newIds(input->GetNumberOfPoints(), -1);
+  for (std::size_t p = 0; p < mesh.Points.GetSize(); ++p)
+  {
+    if (mesh.Points[p].Near == mesh.Points[p].Far)
+    {
+      newIds[mesh.Points[p].Near] = static_cast<vtkIdType>(p);
+    }
+  }
+  mesh.TriangleWholes.assign(mesh.Triangles.size(), -1);
+  for (vtkIdType t = 0; t < inputBoundary->GetNumberOfCells(); ++t)
+  {
+    if (getWhole(t) >= 0)
+    {
+      inputBoundary->GetCellPoints(t, ids);
+      AddTriangle(mesh, { { newIds[ids->GetId(0)], newIds[ids->GetId(1)], newIds[ids->GetId(2)] } },
+        static_cast<int>(itemIds->GetComponent(t, 0)), static_cast<int>(sides->GetComponent(t, 0)));
+      mesh.TriangleCellIds.push_back(getWhole(t));
+      mesh.TriangleWholes.push_back(getWhole(t) - whole->First + mesh.Simplices.GetNumber());
     }
   }
 }

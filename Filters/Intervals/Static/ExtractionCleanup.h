@@ -2,12 +2,15 @@
 #ifndef interlume_ExtractionCleanup_h
 #define interlume_ExtractionCleanup_h
 
+#include "Output/TiedFaces.h"
 #include "Static/ExtractionContext.h"
 
 class vtkUnstructuredGrid;
 
 namespace interlume
 {
+
+struct WholePass;
 
 /**
  * @class   ExtractionCleanup
@@ -16,9 +19,13 @@ namespace interlume
 class ExtractionCleanup
 {
 public:
-  /// Removes the simplices of \a size points and the boundary triangles that are marked.
-  static void RemoveMarked(ExtractionMesh& mesh, int size, const std::vector<bool>& simplices,
-    const std::vector<bool>& triangles);
+  /// Counts the faces of all tetrahedra, each in the group of its interval.
+  static void CountFaces(const ExtractionMesh& mesh, TiedFaces<3>& faces);
+
+  /// Removes the simplices and whole cells, by their places in the mesh, and the boundary triangles
+  /// that are marked.
+  static void RemoveMarked(
+    ExtractionMesh& mesh, const std::vector<bool>& cells, const std::vector<bool>& triangles);
 
   /// Removes points that nothing uses; the others keep their order.
   static void RemoveUnusedPoints(ExtractionMesh& mesh);
@@ -32,18 +39,19 @@ public:
   /**
    * Settles the triangles of cells where values equal a bound. Pairs of one interval that have the
    * same points and opposite orientation go: they are both sides of nothing. Among the others those
-   * stay that are faces of the interval's tetrahedra, counted with their orientation, and belong to
-   * the cell of that tetrahedron: where a side of a cell equals a bound, the triangles there come
-   * from the cell beyond, and there may be no cell before it.
+   * stay that are faces of the interval's tetrahedra or whole cells, counted with their
+   * orientation, and belong to the cell of that tetrahedron: where a side of a cell equals a bound,
+   * the triangles there come from the cell beyond, and there may be no cell before it.
    */
-  static void SettleTiedTriangles(ExtractionMesh& mesh);
+  static void SettleTiedTriangles(const ExtractionContext& context, ExtractionMesh& mesh);
 
   /**
    * Fills the boundary of \a mesh, which was cut out of the tetrahedra of \a input, with the faces
-   * that lie in triangles of \a inputBoundary.
+   * that lie in triangles of \a inputBoundary. Those of whole cells, which \a whole tells, stay;
+   * null where there are none.
    */
-  static void CutBoundary(
-    vtkDataSet* input, vtkUnstructuredGrid* inputBoundary, ExtractionMesh& mesh);
+  static void CutBoundary(vtkDataSet* input, vtkUnstructuredGrid* inputBoundary,
+    const WholePass* whole, ExtractionMesh& mesh);
 };
 
 }

@@ -25,6 +25,7 @@ namespace interlume
 {
 
 class ExtractionIndex;
+class WholeCells;
 
 /**
  * The origin of an output point: a grid point when Near equals Far, else the point at Weight of the
@@ -43,11 +44,14 @@ struct ExtractionPoint
 struct ExtractionMesh
 {
   ExtractionBuffer<ExtractionPoint> Points;
-  /// The tetrahedra of intervals or triangles of contours, in the order of the input's cells.
+  /// The tetrahedra of intervals or triangles of contours, in the order of the input's cells; then
+  /// the cells that are passed on whole, in the same order.
   SimplexList Simplices;
   vtkNew<vtkIntArray> ItemIds;
-  /// The input cell of each simplex; empty unless the input has cell arrays.
+  /// The input cell of each simplex and whole cell; empty unless the input has cell arrays.
   ExtractionBuffer<vtkIdType> CellIds;
+  /// The type of each whole cell.
+  ExtractionBuffer<unsigned char> WholeTypes;
 
   /// The boundary triangles of intervals, when asked for.
   std::vector<std::array<vtkIdType, 3>> Triangles;
@@ -59,26 +63,37 @@ struct ExtractionMesh
   std::vector<vtkIdType> TiedTriangles;
   /// The tetrahedra, or triangles of contours, that lie in one face of such a cell.
   std::vector<vtkIdType> TiedSimplices;
+  /// For each triangle the whole cell that it is a face of, by its place after the simplices, or
+  /// -1; empty where no triangle is one.
+  std::vector<vtkIdType> TriangleWholes;
 
   /// Whether simplices differ in their item; with one item they are all noted at once.
   bool HasSeveralItems = false;
 
-  /// Makes room for simplices of \a size points and, without boundaries, 0 triangles.
-  void Allocate(vtkIdType simplices, int size, vtkIdType triangles, bool keepCellIds)
+  /// Makes room for simplices of \a size points, for \a wholeCells cells with \a wholeIds points
+  /// in all and, without boundaries, 0 triangles.
+  void Allocate(vtkIdType simplices, int size, vtkIdType triangles, bool keepCellIds,
+    vtkIdType wholeCells = 0, vtkIdType wholeIds = 0)
   {
-    this->Simplices.Allocate(simplices, size, static_cast<vtkIdType>(this->Points.GetSize()));
-    this->ItemIds->SetNumberOfValues(simplices);
+    this->Simplices.Allocate(
+      simplices, size, static_cast<vtkIdType>(this->Points.GetSize()), wholeCells, wholeIds);
+    const vtkIdType cells = simplices + wholeCells;
+    this->ItemIds->SetNumberOfValues(cells);
     ExtractionMemory::PreferLargePages(this->ItemIds);
     if (!this->HasSeveralItems)
     {
-      vtkSMPTools::Fill(this->ItemIds->GetPointer(0), this->ItemIds->GetPointer(0) + simplices, 0);
+      vtkSMPTools::Fill(this->ItemIds->GetPointer(0), this->ItemIds->GetPointer(0) + cells, 0);
+    }
+    if (wholeCells > 0)
+    {
+      this->WholeTypes.Allocate(wholeCells);
     }
     this->Triangles.resize(triangles);
     this->TriangleItemIds->SetNumberOfValues(triangles);
     this->TriangleSides->SetNumberOfValues(triangles);
     if (keepCellIds)
     {
-      this->CellIds.Allocate(simplices);
+      this->CellIds.Allocate(cells);
       this->TriangleCellIds.resize(triangles);
     }
   }
@@ -94,6 +109,31 @@ struct ExtractionMesh
     {
       std::fill_n(this->CellIds.GetData() + first, number, cell);
     }
+  }
+
+  /// Writes a whole cell, whose ids begin at \a place.
+  void WriteWhole(vtkIdType whole, vtkIdType place, unsigned char type, const vtkIdType* ids,
+    int number, int item, vtkIdType cell)
+  {
+    this->Simplices.WriteWhole(whole, place, ids, number);
+    this->WholeTypes[whole] = type;
+    this->NoteSimplices(this->Simplices.GetNumber() + whole, 1, item, cell);
+  }
+
+  /// Forgets all but the first \a number simplices; the whole cells follow these.
+  void TruncateSimplices(vtkIdType number)
+  {
+    const vtkIdType before = this->Simplices.GetNumber();
+    const vtkIdType whole = this->Simplices.GetNumberOfWhole();
+    std::copy_n(
+      this->ItemIds->GetPointer(0) + before, whole, this->ItemIds->GetPointer(0) + number);
+    this->ItemIds->SetNumberOfValues(number + whole);
+    if (this->CellIds.GetSize() > 0)
+    {
+      std::copy_n(this->CellIds.GetData() + before, whole, this->CellIds.GetData() + number);
+      this->CellIds.Truncate(number + whole);
+    }
+    this->Simplices.Truncate(number);
   }
 
   /// Writes a boundary triangle; its ids are in the order for a right-handed cell.
@@ -125,6 +165,8 @@ struct ExtractionContext : Blanking
   vtkDataSet* Input = nullptr;
   vtkDataArray* Scalars = nullptr;
   ExtractionIndex* Index = nullptr;
+  /// Which cells are passed on whole; null where none are.
+  const WholeCells* Whole = nullptr;
   bool GenerateBoundaries = false;
   bool KeepCellIds = false;
   /// Whether tetrahedra are oriented as their corners are stored, not by their coordinates: those

@@ -43,6 +43,12 @@ public:
       return static_cast<std::uint8_t>((code >= this->First) + (code >= this->Second));
     }
 
+    /// Returns whether codes from \a least to \a greatest all have digit 1, of an interval.
+    bool IsInside(Code least, Code greatest) const
+    {
+      return least >= this->First && greatest < this->Second;
+    }
+
     /// Returns the first code with the greatest digit.
     Code GetLast(vtkIsotable::Kinds kind) const
     {

@@ -102,20 +102,21 @@ bool GhostCells::AreTied(const ExtractionContext& context)
 void GhostCells::Remove(const ExtractionContext& context, ExtractionMesh& mesh)
 {
   std::set<vtkIdType> withOutput;
-  const vtkIdType simplices = mesh.ItemIds->GetNumberOfValues();
-  std::vector<bool> isRemoved(static_cast<std::size_t>(simplices), false);
-  for (vtkIdType simplex = 0; simplex < simplices; ++simplex)
+  // Simplices, and whole cells after them.
+  const vtkIdType cells = mesh.ItemIds->GetNumberOfValues();
+  std::vector<bool> isRemoved(static_cast<std::size_t>(cells), false);
+  for (vtkIdType cell = 0; cell < cells; ++cell)
   {
-    if (IsOne(context, mesh.CellIds[simplex]))
+    if (IsOne(context, mesh.CellIds[cell]))
     {
-      isRemoved[simplex] = true;
-      withOutput.insert(mesh.CellIds[simplex]);
+      isRemoved[cell] = true;
+      withOutput.insert(mesh.CellIds[cell]);
     }
   }
   std::vector<bool> isTriangleRemoved(mesh.Triangles.size(), false);
   std::transform(mesh.TriangleCellIds.begin(), mesh.TriangleCellIds.end(),
     isTriangleRemoved.begin(), [&context](vtkIdType cell) { return IsOne(context, cell); });
-  ExtractionCleanup::RemoveMarked(mesh, context.GetSimplexSize(), isRemoved, isTriangleRemoved);
+  ExtractionCleanup::RemoveMarked(mesh, isRemoved, isTriangleRemoved);
   context.Report->CellsWithOutput -= static_cast<vtkIdType>(withOutput.size());
   for (vtkIdType cell = 0; cell < context.Input->GetNumberOfCells(); ++cell)
   {

@@ -12,17 +12,6 @@ namespace interlume
 
 namespace
 {
-// Returns the key of an interval's case where all vertices are inside.
-int GetKeyInside(int vertices)
-{
-  int key = 0;
-  for (int v = 0; v < vertices; ++v)
-  {
-    key = 3 * key + 1;
-  }
-  return key;
-}
-
 // A contour's table has no case from which faces could be read.
 const vtkIsotable& GetTableOfIntervals(int vertices)
 {
@@ -96,7 +85,7 @@ void MergedCut::AddSides(const vtkIsotable& table, const Item& item, const Code*
   const int vertices = table.GetNumberOfVertices();
   const Code tie = item.First;
   const Slot side = *std::min_element(codes, codes + vertices) < tie ? 0 : 1;
-  table.CutSides(table.GetCase(GetKeyInside(vertices)), ranks,
+  table.CutSides(table.GetCase(ExtractionCell::GetKeyInside(vertices)), ranks,
     [&](Slot a, Slot b, Slot c, const Slot* polygon, int number)
     {
       if (std::all_of(polygon, polygon + number, [&](Slot vertex) { return codes[vertex] == tie; }))
@@ -117,7 +106,8 @@ void MergedCut::FindFaces(const vtkIsotable& table)
   this->TableOfFaces = &table;
   this->Faces.clear();
   const vtkIsotable& ofIntervals = GetTableOfIntervals(vertices);
-  ofIntervals.CutSides(ofIntervals.GetCase(GetKeyInside(vertices)), vtkIsotable::RankArray{},
+  ofIntervals.CutSides(ofIntervals.GetCase(ExtractionCell::GetKeyInside(vertices)),
+    vtkIsotable::RankArray{},
     [this](Slot, Slot, Slot, const Slot* polygon, int number)
     {
       unsigned face = 0;

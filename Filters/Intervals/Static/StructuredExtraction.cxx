@@ -9,11 +9,17 @@
 #include "Static/ExtractionScalars.h"
 #include "Static/GhostCells.h"
 #include "Static/MergedCut.h"
+#include "Static/WholeCells.h"
 
+#include "vtkCellType.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkSMPThreadLocal.h"
 
 #include <atomic>
 #include <numeric>
+#include <type_traits>
 
 namespace interlume
 {
@@ -110,8 +116,26 @@ struct RowCount
   vtkIdType Triangles = 0;
 };
 
+// The counts of a row of which some cells are passed on whole.
+struct RowCountWithWhole : RowCount
+{
+  vtkIdType Whole = 0;
+};
+
+// Returns the type of cells in rows that are passed on: a voxel lies along the axes of space.
+unsigned char GetTypeInRows(vtkDataSet* input)
+{
+  vtkImageData* image = vtkImageData::SafeDownCast(input);
+  const bool isAlongAxes = image ? image->GetDirectionMatrix()->IsIdentity()
+                                 : vtkRectilinearGrid::SafeDownCast(input) != nullptr;
+  return isAlongAxes ? VTK_VOXEL : VTK_HEXAHEDRON;
+}
+
+template <bool KeepsWhole>
 class Extractor
 {
+  using RowCount = std::conditional_t<KeepsWhole, RowCountWithWhole, interlume::RowCount>;
+
 public:
   Extractor(ExtractionContext& context, const int dimensions[3], ExtractionMesh& mesh)
     : Context(context)
@@ -127,6 +151,8 @@ public:
     , Ny(dimensions[1])
     , Nz(dimensions[2])
     , SimplexSize(context.GetSimplexSize())
+    , KeyInside(static_cast<Code>(ExtractionCell::GetKeyInside(8)))
+    , WholeType(GetTypeInRows(context.Input))
   {
   }
 
@@ -350,11 +376,20 @@ private:
       total.Points += count.Points;
       total.Simplices += count.Simplices;
       total.Triangles += count.Triangles;
+      if constexpr (KeepsWhole)
+      {
+        total.Whole += count.Whole;
+      }
       count = total;
     }
     this->Mesh.Points.Allocate(total.Points);
-    this->Mesh.Allocate(
-      total.Simplices, this->SimplexSize, total.Triangles, this->Context.KeepCellIds);
+    vtkIdType whole = 0;
+    if constexpr (KeepsWhole)
+    {
+      whole = total.Whole;
+    }
+    this->Mesh.Allocate(total.Simplices, this->SimplexSize, total.Triangles,
+      this->Context.KeepCellIds, whole, 8 * whole);
     // A point is in the output unless its cells are blanked or its simplices have collapsed.
     const bool hasTies = std::any_of(
       this->Locals.begin(), this->Locals.end(), [](const Local& local) { return local.HasTies; });
@@ -482,7 +517,8 @@ private:
   {
     const RowCount& here = this->Offsets[row];
     const RowCount& next = this->Offsets[row + 1];
-    if (Write && here.Simplices == next.Simplices && here.Triangles == next.Triangles)
+    if (Write && here.Simplices == next.Simplices && here.Triangles == next.Triangles &&
+      !HasWhole(here, next))
     {
       return;
     }
@@ -508,6 +544,19 @@ private:
       const auto last = std::find_if(local.Gave.rbegin(), local.Gave.rend(), gives);
       this->Columns[row] = { first - local.Gave.begin(),
         std::max<vtkIdType>(first - local.Gave.begin(), local.Gave.rend() - last) };
+    }
+  }
+
+  // Returns whether the row between two places has cells that are passed on whole.
+  static bool HasWhole(const RowCount& here, const RowCount& next)
+  {
+    if constexpr (KeepsWhole)
+    {
+      return here.Whole != next.Whole;
+    }
+    else
+    {
+      return false;
     }
   }
 
@@ -728,6 +777,14 @@ private:
         {
           continue;
         }
+        if constexpr (KeepsWhole)
+        {
+          if (key == this->KeyInside && this->MayBeWhole(around, i))
+          {
+            this->ProcessWhole<Write>(local, around, i, item, place);
+            continue;
+          }
+        }
         const vtkIsotable::Case& found = this->Table.GetCase(key);
         const RowCount before = place;
         const bool isTied = hasTies && this->HasTiedPoints(around, i, what.IsFlat) &&
@@ -751,6 +808,44 @@ private:
         }
       }
     }
+  }
+
+  // Returns whether no criterion leaves a corner of a cell out.
+  bool MayBeWhole(const Around& around, vtkIdType i) const
+  {
+    for (int v = 0; v < 8; ++v)
+    {
+      if (!this->Context.Whole->MayHave(this->Rows.GetVertex(around.FirstPoint + i, v)))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // Counts or writes a cell that is passed on whole.
+  template <bool Write>
+  void ProcessWhole(Local& local, const Around& around, vtkIdType i, int item, RowCount& place)
+  {
+    if (Write)
+    {
+      vtkIdType ids[8];
+      for (int v = 0; v < 8; ++v)
+      {
+        // The points of a hexahedron go around its faces.
+        const int corner = this->WholeType == VTK_HEXAHEDRON ? v ^ ((v >> 1) & 1) : v;
+        const SlotRow& row = around.Slots[corner];
+        ids[v] = row.First + row.Starts[i];
+        this->Use(ids[v]);
+      }
+      this->Mesh.WriteWhole(
+        place.Whole, 8 * place.Whole, this->WholeType, ids, 8, item, around.FirstCell + i);
+    }
+    else
+    {
+      local.Gave[i] = 1;
+    }
+    ++place.Whole;
   }
 
   bool HasTiedPoints(const Around& around, vtkIdType i, Code ties = 0) const
@@ -929,6 +1024,9 @@ private:
   vtkIdType Ny;
   vtkIdType Nz;
   int SimplexSize;
+  // The key of a cell inside of an interval, and the type that it is passed on as.
+  Code KeyInside;
+  unsigned char WholeType;
   std::vector<RowCount> Offsets;
   // The columns [first, last) of a row of cells that give output.
   std::vector<std::array<vtkIdType, 2>> Columns;
@@ -940,7 +1038,8 @@ private:
 bool StructuredExtraction::Execute(
   ExtractionContext& context, const int dimensions[3], ExtractionMesh& mesh)
 {
-  return Extractor(context, dimensions, mesh).Execute();
+  return context.Whole ? Extractor<true>(context, dimensions, mesh).Execute()
+                       : Extractor<false>(context, dimensions, mesh).Execute();
 }
 
 }

@@ -102,6 +102,14 @@ public:
     }
   }
 
+  /// Gives all points of a cell as they are stored.
+  void GetStored(vtkIdType cell, std::vector<vtkIdType>& points) const
+  {
+    points.assign(this->Ids + this->Offsets[cell], this->Ids + this->Offsets[cell + 1]);
+  }
+
+  unsigned char GetType(vtkIdType cell) const { return this->Types[cell]; }
+
 private:
   const Stored* GetFirst(vtkIdType cell) const
   {

@@ -10,12 +10,14 @@
 #include "Static/ExtractionScalars.h"
 #include "Static/MergedCut.h"
 #include "Static/UnstructuredCells.h"
+#include "Static/WholePolyhedra.h"
 
 #include "vtkPointData.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <cstdint>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 
 namespace interlume
@@ -48,6 +50,8 @@ struct Found
   // Whether slots were made one.
   bool IsMerged;
   bool IsInverted;
+  // Whether the cell is passed on whole; then only its place and item count.
+  bool IsWhole;
 };
 
 // The result of the counting pass for a chunk of cells, which the writing pass uses.
@@ -73,6 +77,13 @@ struct Chunk
       this->CutSimplices.capacity() * sizeof(vtkIsotable::Simplex) +
       this->CutTriangles.capacity() * sizeof(vtkIsotable::Triangle);
   }
+};
+
+// A chunk of which some cells are passed on whole.
+struct ChunkWithWhole : Chunk
+{
+  vtkIdType Whole = 0;
+  vtkIdType WholeIds = 0;
 };
 
 // A cell near an item, its corners in the order of its table.
@@ -107,9 +118,31 @@ struct SlotEnds
   bool IsUpper;
 };
 
+// What only extractions that keep whole cells have.
+template <typename Stored, bool KeepsWhole>
+struct WholeParts
+{
+  WholeParts(const ExtractionContext&, const UnstructuredCells<Stored>&) {}
+};
+
 template <typename Stored>
+struct WholeParts<Stored, true>
+{
+  WholeParts(const ExtractionContext& context, const UnstructuredCells<Stored>& cells)
+    : Cells(*context.Whole)
+    , Polyhedra(context, cells)
+  {
+  }
+
+  const WholeCells& Cells;
+  WholePolyhedra<Stored> Polyhedra;
+};
+
+template <typename Stored, bool KeepsWhole>
 class Extractor
 {
+  using Chunk = std::conditional_t<KeepsWhole, ChunkWithWhole, interlume::Chunk>;
+
 public:
   Extractor(const ExtractionContext& context, vtkUnstructuredGrid* grid, const Stored* offsets,
     const Stored* ids, ExtractionMesh& mesh)
@@ -117,6 +150,7 @@ public:
     , Values(*context.Values)
     , Scalars(ExtractionScalars::Make(context.Scalars, *context.Values))
     , Cells(grid, offsets, ids)
+    , Whole(context, Cells)
     , Order(grid->GetPointData())
     , Orientation(grid)
     , Mesh(mesh)
@@ -154,6 +188,7 @@ public:
           this->Scalars->Classify(first, last - first, this->Codes.GetData() + first);
           this->Marks.Fill(this->Codes.GetData(), first, last);
         }) &&
+      this->FindPolyhedra() &&
       this->Context.Run(chunks, 0.05, 0.4,
         [this](vtkIdType first, vtkIdType last)
         {
@@ -334,10 +369,15 @@ private:
     }
     chunk.Cases.reserve(numberNear);
     Cell cell{};
+    std::vector<vtkIdType> points;
     for (int c = 0; c < numberNear; ++c)
     {
+      if (this->CountAsWhole(begin + near[c], near[c], chunk, arena, points))
+      {
+        continue;
+      }
       this->Read(begin + near[c], cell);
-      this->CountCell(cell, near[c], chunk, arena, merged);
+      this->CountCell(cell, near[c], chunk, arena, merged, points);
     }
   }
 
@@ -345,6 +385,15 @@ private:
   void FindNear(vtkIdType first, vtkIdType last, vtkIdType begin, std::uint16_t* near,
     int& numberNear, vtkExtractionReport& report) const
   {
+    if constexpr (KeepsWhole)
+    {
+      const vtkIdType firstPassed = std::max(first, this->Whole.Cells.GetFirstPassed());
+      for (vtkIdType id = firstPassed; id < last; ++id)
+      {
+        near[numberNear++] = static_cast<std::uint16_t>(id - begin);
+      }
+      last = std::min(last, firstPassed);
+    }
     if (!this->Cells.IsUniform() || this->Context.HasBlanking())
     {
       for (vtkIdType id = first; id < last; ++id)
@@ -363,8 +412,8 @@ private:
       });
   }
 
-  void CountCell(
-    Cell& cell, vtkIdType position, Chunk& chunk, CrossingLists::Arena& arena, MergedCut& merged)
+  void CountCell(Cell& cell, vtkIdType position, Chunk& chunk, CrossingLists::Arena& arena,
+    MergedCut& merged, std::vector<vtkIdType>& points)
   {
     Code least = std::numeric_limits<Code>::max();
     Code greatest = 0;
@@ -377,7 +426,7 @@ private:
     const bool isInverted = this->Context.KeepOrientation
       ? cell.IsReflected
       : this->Orientation.IsInverted(cell.Shape, cell.Ids);
-    const vtkIdType before = chunk.Simplices;
+    const vtkIdType before = GetOutput(chunk);
     const int base = this->Values.GetBase();
     const auto& items = this->Values.GetItems();
     for (std::size_t number = 0; number < items.size(); ++number)
@@ -386,6 +435,14 @@ private:
       if (this->Values.IsOutside(item, least, greatest))
       {
         continue;
+      }
+      if constexpr (KeepsWhole)
+      {
+        if (this->IsWhole(cell.Id, item, least, greatest))
+        {
+          this->EnterWhole(cell.Id, position, number, chunk, arena, points);
+          continue;
+        }
       }
       int key = 0;
       for (int v = 0, power = 1; v < cell.NumberOfCorners; ++v, power *= base)
@@ -413,9 +470,145 @@ private:
       chunk.Simplices += static_cast<vtkIdType>(cut.NumberOfSimplices);
       chunk.Triangles += static_cast<vtkIdType>(cut.NumberOfTriangles);
       chunk.Cases.push_back({ static_cast<std::uint16_t>(position), static_cast<std::uint16_t>(key),
-        static_cast<std::uint16_t>(number), isPlain, isMerged, isInverted });
+        static_cast<std::uint16_t>(number), isPlain, isMerged, isInverted, false });
     }
-    chunk.Report.CellsWithOutput += chunk.Simplices != before;
+    chunk.Report.CellsWithOutput += GetOutput(chunk) != before;
+  }
+
+  static vtkIdType GetOutput(const Chunk& chunk)
+  {
+    if constexpr (KeepsWhole)
+    {
+      return chunk.Simplices + chunk.Whole;
+    }
+    else
+    {
+      return chunk.Simplices;
+    }
+  }
+
+  bool FindPolyhedra()
+  {
+    if constexpr (KeepsWhole)
+    {
+      return this->Whole.Polyhedra.FindRanges(
+        this->Codes.GetData(), this->NumberOfCells, 0.05, 0.05);
+    }
+    else
+    {
+      return true;
+    }
+  }
+
+  // Returns whether a cell whose codes are least ... greatest is passed on whole. A tetrahedron is
+  // not: its case is that tetrahedron.
+  bool IsWhole(vtkIdType id, const Item& item, Code least, Code greatest) const
+  {
+    if (this->Whole.Cells.IsPart(id))
+    {
+      return this->Whole.Polyhedra.IsInside(id, item);
+    }
+    const CellCorners& corners = this->Cells.GetCorners(id);
+    if (corners.Shape == vtkIsotable::TETRAHEDRON || !item.IsInside(least, greatest))
+    {
+      return false;
+    }
+    vtkIdType ids[8];
+    this->Cells.GetIds(id, corners, ids);
+    return std::all_of(ids, ids + corners.NumberOfCorners,
+      [this](vtkIdType point) { return this->Whole.Cells.MayHave(point); });
+  }
+
+  // Counts a cell that is whole in each interval that it touches. Returns false, and counts
+  // nothing, where it is not.
+  bool CountAsWhole(vtkIdType id, vtkIdType position, Chunk& chunk, CrossingLists::Arena& arena,
+    std::vector<vtkIdType>& points)
+  {
+    if constexpr (KeepsWhole)
+    {
+      if (this->Whole.Cells.IsPassed(id))
+      {
+        this->EnterWhole(id, position, 0, chunk, arena, points);
+        ++chunk.Report.CellsWithOutput;
+        return true;
+      }
+      const CellCorners& corners = this->Cells.GetCorners(id);
+      vtkIdType ids[8];
+      this->Cells.GetIds(id, corners, ids);
+      Code least = ExtractionValues::NoCode;
+      Code greatest = 0;
+      for (int v = 0; v < corners.NumberOfCorners; ++v)
+      {
+        least = std::min(least, this->Codes[ids[v]]);
+        greatest = std::max(greatest, this->Codes[ids[v]]);
+      }
+      const auto& items = this->Values.GetItems();
+      if (!std::all_of(items.begin(), items.end(),
+            [&](const Item& item)
+            {
+              return this->Values.IsOutside(item, least, greatest) ||
+                this->IsWhole(id, item, least, greatest);
+            }))
+      {
+        return false;
+      }
+      const vtkIdType before = GetOutput(chunk);
+      for (std::size_t number = 0; number < items.size(); ++number)
+      {
+        if (!this->Values.IsOutside(items[number], least, greatest))
+        {
+          this->EnterWhole(id, position, number, chunk, arena, points);
+        }
+      }
+      chunk.Report.CellsWithOutput += GetOutput(chunk) != before;
+      return true;
+    }
+    else
+    {
+      return false;
+    }
+  }
+
+  // Gives the points of a cell that is passed on whole, in their order in the input; none of a part
+  // of a polyhedron but the first. Returns its type.
+  unsigned char GetWholePoints(vtkIdType id, std::vector<vtkIdType>& points) const
+  {
+    if (this->Whole.Cells.IsPassed(id))
+    {
+      this->Cells.GetStored(id, points);
+      return this->Cells.GetType(id);
+    }
+    if (this->Whole.Cells.IsPart(id))
+    {
+      points.clear();
+      if (this->Whole.Cells.IsFirstPart(id))
+      {
+        this->Whole.Polyhedra.GetPoints(id, points);
+      }
+      return this->Whole.Polyhedra.GetType(id);
+    }
+    this->Cells.GetStored(id, points);
+    const CellCorners& corners = this->Cells.GetCorners(id);
+    points.resize(corners.NumberOfCorners);
+    return corners.Kind == CellCorners::LINEAR ? this->Cells.GetType(id) : corners.GetLinearType();
+  }
+
+  void EnterWhole(vtkIdType id, vtkIdType position, std::size_t item, Chunk& chunk,
+    CrossingLists::Arena& arena, std::vector<vtkIdType>& points)
+  {
+    this->GetWholePoints(id, points);
+    if (points.empty())
+    {
+      return;
+    }
+    for (const vtkIdType point : points)
+    {
+      this->Points.Enter(point, {}, arena);
+    }
+    ++chunk.Whole;
+    chunk.WholeIds += static_cast<vtkIdType>(points.size());
+    chunk.Cases.push_back({ static_cast<std::uint16_t>(position), 0,
+      static_cast<std::uint16_t>(item), true, false, false, true });
   }
 
   // Finds which slots are the same point. Returns false where none are.
@@ -479,15 +672,27 @@ private:
   {
     vtkIdType simplices = 0;
     vtkIdType triangles = 0;
+    vtkIdType whole = 0;
+    vtkIdType wholeIds = 0;
     for (Chunk& chunk : this->Chunks)
     {
-      std::swap(chunk.Simplices, simplices);
-      std::swap(chunk.Triangles, triangles);
-      simplices += chunk.Simplices;
-      triangles += chunk.Triangles;
+      // After the exchange a chunk has the sum of those before it.
+      const auto sum = [](vtkIdType& count, vtkIdType& total)
+      {
+        std::swap(count, total);
+        total += count;
+      };
+      sum(chunk.Simplices, simplices);
+      sum(chunk.Triangles, triangles);
+      if constexpr (KeepsWhole)
+      {
+        sum(chunk.Whole, whole);
+        sum(chunk.WholeIds, wholeIds);
+      }
       this->Context.Report->Add(chunk.Report);
     }
-    this->Mesh.Allocate(simplices, this->SimplexSize, triangles, this->Context.KeepCellIds);
+    this->Mesh.Allocate(
+      simplices, this->SimplexSize, triangles, this->Context.KeepCellIds, whole, wholeIds);
   }
 
   void NoteWorkingBytes() const
@@ -514,10 +719,19 @@ private:
     vtkIdType ids[vtkIsotable::MaximumNumberOfSlots];
     MergedCut merged;
     Cell cell{};
+    std::vector<vtkIdType> points;
     cell.Id = -1;
     for (const Found& found : chunk.Cases)
     {
       const vtkIdType id = number * ChunkSize + found.Position;
+      if constexpr (KeepsWhole)
+      {
+        if (found.IsWhole)
+        {
+          this->WriteWhole(id, found.Item, chunk, points);
+          continue;
+        }
+      }
       const vtkIsotable::Shapes shape = this->Cells.GetCorners(id).Shape;
       const Cut cut = found.IsPlain ? this->GetTableCut(this->Tables[shape]->GetCase(found.Key))
                                     : this->GetOwnCut(chunk, *own, ownSimplex, ownTriangle, slots);
@@ -548,6 +762,18 @@ private:
       }
       this->WriteCut(id, found, cut, ids, simplex, triangle);
     }
+  }
+
+  void WriteWhole(vtkIdType id, int item, Chunk& chunk, std::vector<vtkIdType>& points)
+  {
+    const unsigned char type = this->GetWholePoints(id, points);
+    for (vtkIdType& point : points)
+    {
+      point = this->Points.GetId(point, {});
+    }
+    const int number = static_cast<int>(points.size());
+    this->Mesh.WriteWhole(chunk.Whole++, chunk.WholeIds, type, points.data(), number, item, id);
+    chunk.WholeIds += number;
   }
 
   // Notes the simplices and triangles of a cell with merged slots that have to be compared with
@@ -598,6 +824,7 @@ private:
   const ExtractionValues& Values;
   std::unique_ptr<ExtractionScalars> Scalars;
   UnstructuredCells<Stored> Cells;
+  WholeParts<Stored, KeepsWhole> Whole;
   CornerOrder Order;
   CellOrientation Orientation;
   ExtractionMesh& Mesh;
@@ -625,7 +852,9 @@ bool Extract(const ExtractionContext& context, vtkUnstructuredGrid* grid, Extrac
   using Stored = typename Array::ValueType;
   const Stored* firstOffset = offsets->GetPointer(0);
   const Stored* firstId = ids->GetPointer(0);
-  return Extractor<Stored>(context, grid, firstOffset, firstId, mesh).Execute();
+  return context.Whole
+    ? Extractor<Stored, true>(context, grid, firstOffset, firstId, mesh).Execute()
+    : Extractor<Stored, false>(context, grid, firstOffset, firstId, mesh).Execute();
 }
 }
 

@@ -143,8 +143,8 @@ std::string TetrahedraBuilder::BuildMesh(
         vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(grid->GetCellType(cell)));
       return "cell " + std::to_string(cell) + " is a " +
         (type ? type->GetClassName() : "cell of unknown type") +
-        ", and only tetrahedra can be drawn; vtkDataSetTriangleFilter, vtkIntervalVolume or "
-        "vtkTetrahedralMesher make tetrahedra of it";
+        ", and only tetrahedra can be drawn; vtkDataSetTriangleFilter, vtkIntervalVolume "
+        "without KeepWholeCells or vtkTetrahedralMesher make tetrahedra of it";
     }
   }
   if (std::max(cells, grid->GetNumberOfPoints()) >= std::numeric_limits<std::uint32_t>::max())

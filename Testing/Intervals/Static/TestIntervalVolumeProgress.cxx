@@ -22,8 +22,8 @@ void CheckPrint(Check& check)
 {
   const std::vector<std::string> report = { "Cells", "CellsVisited", "CellsWithOutput",
     "LowerDimensionalCells", "NonFiniteCells", "BlankedCells", "LinearizedCells",
-    "ConcavePolyhedra", "UnsupportedCells", "CollapsedSimplices", "ArraysInterpolated",
-    "ArraysCopied", "Passes", "WorkingBytes" };
+    "ConcavePolyhedra", "UnsupportedCells", "CollapsedSimplices", "WholeCells", "WarpedFaces",
+    "ArraysInterpolated", "ArraysCopied", "Passes", "WorkingBytes" };
   vtkNew<vtkIntervalVolume> volume;
   volume->SetInterval(0, 1.25, 2.5);
   volume->SetInterval(1, 3.125, 4.75);
@@ -31,8 +31,8 @@ void CheckPrint(Check& check)
   const std::string volumeText = Print(volume);
   CheckPrinted(volumeText, report, check);
   CheckPrinted(volumeText,
-    { "GenerateBoundaries", "OutputPointsPrecision", "UseValueIndex", "1.25", "2.5", "3.125",
-      "4.75", "density", "17.5", "18.25" },
+    { "GenerateBoundaries", "KeepWholeCells", "OutputPointsPrecision", "UseValueIndex", "1.25",
+      "2.5", "3.125", "4.75", "density", "17.5", "18.25" },
     check);
   vtkNew<vtkIsotableContour> contour;
   contour->SetValue(0, 6.375);
@@ -63,6 +63,18 @@ int TestIntervalVolumeProgress(int, char*[])
     vtkNew<vtkIsotableContour> contour;
     contour->SetValue(0, 0.4);
     CheckProgress(contour, data, VTK_TRIANGLE, check);
+  }
+  auto hexahedra = MakeMesh(MeshKind::Hexahedra, { 20, 20, 20 });
+  AddRandomField(hexahedra, 2);
+  vtkDataSet* const inputsOfHexahedra[] = { image, hexahedra };
+  for (vtkDataSet* data : inputsOfHexahedra)
+  {
+    // Values at random leave no hexahedron whole.
+    check.SetContext(std::string("with KeepWholeCells, ") + data->GetClassName());
+    vtkNew<vtkIntervalVolume> volume;
+    volume->SetInterval(0, 0.2, 0.4);
+    volume->KeepWholeCellsOn();
+    CheckProgress(volume, data, VTK_TETRA, check);
   }
   check.SetContext("print");
   CheckPrint(check);

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Static/WarpedFaces.h"
+
+#include "Common/Vectors.h"
+#include "Output/TiedFaces.h"
+#include "Static/ExtractionCleanup.h"
+#include "Static/WholeFaces.h"
+
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkSMPThreadLocal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace interlume
+{
+
+namespace
+{
+using Face = std::pair<WholeFaces::Triangle, vtkIdType>;
+
+// Returns whether four points are farther from a plane than rounding takes them.
+bool IsWarped(vtkPoints* points, const WholeFaces::Polygon& polygon)
+{
+  glm::dvec3 x[4];
+  double largest = 0.0;
+  for (int v = 0; v < 4; ++v)
+  {
+    points->GetPoint(polygon[v], glm::value_ptr(x[v]));
+    largest = std::max({ largest, std::abs(x[v].x), std::abs(x[v].y), std::abs(x[v].z) });
+  }
+  const glm::dvec3 normal = glm::cross(x[1] - x[0], x[2] - x[0]);
+  const double rounding = points->GetDataType() == VTK_FLOAT
+    ? static_cast<double>(std::numeric_limits<float>::epsilon())
+    : std::numeric_limits<double>::epsilon();
+  constexpr double steps = 8.0;
+  return std::abs(glm::dot(normal, x[3] - x[0])) > steps * rounding * largest * glm::length(normal);
+}
+}
+
+vtkIdType WarpedFaces::Count(
+  const ExtractionContext& context, const ExtractionMesh& mesh, vtkPoints* points)
+{
+  const SimplexList& cells = mesh.Simplices;
+  if (!vtkPointSet::SafeDownCast(context.Input) || cells.GetNumberOfWhole() == 0 ||
+    cells.GetNumber() == 0)
+  {
+    return 0;
+  }
+  // Only faces all of whose points are also those of tetrahedra come into question.
+  ExtractionBuffer<std::atomic<unsigned char>> isCut;
+  isCut.AllocateZeros(mesh.Points.GetSize());
+  vtkSMPTools::For(0, cells.GetNumber() * 4,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType at = first; at < last; ++at)
+      {
+        isCut[cells.GetIdAt(at)].store(1, std::memory_order_relaxed);
+      }
+    });
+  const auto isNear = [&isCut](vtkIdType id)
+  { return id >= 0 && isCut[id].load(std::memory_order_relaxed) != 0; };
+  const WholeFaces whole(context, mesh);
+  vtkSMPThreadLocal<std::vector<Face>> found;
+  whole.ForEachCell(
+    [&](vtkIdType cell, const vtkIdType* ids, int number)
+    {
+      if (std::count_if(ids, ids + number, isNear) < 4)
+      {
+        return;
+      }
+      std::vector<Face>& list = found.Local();
+      WholeFaces::Polygon last{};
+      whole.Visit(cell, ids, number,
+        [&](const WholeFaces::Triangle& triangle, const WholeFaces::Polygon& polygon)
+        {
+          // One of the two triangles of a face stands for it.
+          if (polygon != last && std::all_of(polygon.begin(), polygon.end(), isNear) &&
+            IsWarped(points, polygon))
+          {
+            // Turned as the tetrahedron's beyond is.
+            list.push_back({ { { triangle[1], triangle[0], triangle[2] } },
+              mesh.ItemIds->GetValue(cells.GetNumber() + cell) });
+          }
+          last = polygon;
+        });
+    });
+  TiedFaces<3> faces(mesh.Points.GetSize());
+  for (const std::vector<Face>& list : found)
+  {
+    for (const Face& face : list)
+    {
+      faces.Add(face.second, face.first.data(), 0);
+    }
+  }
+  faces.Cancel([](std::size_t) {});
+  ExtractionCleanup::CountFaces(mesh, faces);
+  vtkIdType number = 0;
+  faces.Visit([&number](std::size_t, bool isFace, vtkIdType) { number += isFace; });
+  return number;
+}
+
+}

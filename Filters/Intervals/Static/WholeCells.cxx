@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Static/WholeCells.h"
+
+#include "vtkDataArray.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+
+namespace interlume
+{
+
+void WholePass::Exclude(vtkDataArray* array, double lower, double upper)
+{
+  const vtkIdType number = array->GetNumberOfTuples();
+  if (this->Points.GetSize() == 0)
+  {
+    this->Points.Allocate(number);
+    std::fill_n(this->Points.GetData(), number, static_cast<unsigned char>(1));
+  }
+  vtkSMPTools::For(0, number,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType p = first; p < last; ++p)
+      {
+        const double value = array->GetComponent(p, 0);
+        // NaN is in no range.
+        this->Points[p] &= static_cast<unsigned char>(value >= lower && value <= upper);
+      }
+    });
+}
+
+WholeCells::WholeCells(
+  vtkDataSet* original, const std::vector<vtkIdType>* originals, const WholePass& pass)
+  : Original(original)
+  , Originals(originals)
+  , Marks(pass.Points.GetData())
+  , FirstPassed(pass.First < 0 ? original->GetNumberOfCells() : pass.First)
+{
+  vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(original);
+  if (originals && grid)
+  {
+    this->Types = GridCells::GetTypes(grid);
+  }
+  if (originals && pass.First < 0)
+  {
+    this->FirstPassed = static_cast<vtkIdType>(originals->size());
+  }
+}
+
+vtkIdType WholeCells::GetEndOfParts(vtkIdType cell) const
+{
+  const auto begin = this->Originals->begin() + cell;
+  return std::upper_bound(begin, this->Originals->end(), *begin) - this->Originals->begin();
+}
+
+}

@@ -1,0 +1,549 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells that are kept whole leave the region as it was: volumes, faces that do not cancel and
+// boundary triangles are those of the tetrahedra alone, where values equal bounds too; and exactly
+// the cells inside are whole, as they were in the input.
+#include "Inputs/DataFiles.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceThreads.h"
+#include "Reference/Intervals/ReferenceExtraction.h"
+#include "Reference/Intervals/ReferenceMatching.h"
+#include "Reference/Meshes/ReferenceChain.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceLattice.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceMeshBuilder.h"
+#include "Reference/Meshes/ReferenceTransform.h"
+#include "Reference/Meshes/ReferenceVolume.h"
+
+#include "vtkCell.h"
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkIntervalVolume.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+#include <utility>
+
+namespace
+{
+
+using namespace reference;
+using Place = std::array<double, 3>;
+using Net = std::map<Triangle, int>;
+using CellOfInterval = std::pair<vtkIdType, int>;
+
+struct Settings
+{
+  std::vector<Interval> Intervals;
+  std::vector<MatchingCriterion> Criteria;
+};
+
+Extraction Run(vtkDataSet* data, const Settings& settings, bool keepWholeCells)
+{
+  vtkNew<vtkIntervalVolume> filter;
+  filter->SetInputData(data);
+  for (size_t i = 0; i < settings.Intervals.size(); ++i)
+  {
+    filter->SetInterval(static_cast<int>(i), settings.Intervals[i][0], settings.Intervals[i][1]);
+  }
+  for (const MatchingCriterion& one : settings.Criteria)
+  {
+    filter->AddCriterion(one.Array.c_str(), one.Lower, one.Upper);
+  }
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  filter->GenerateBoundariesOn();
+  filter->KeepOriginsOn();
+  filter->WarnOnEmptyOutputOff();
+  filter->SetKeepWholeCells(keepWholeCells);
+  filter->Update();
+  return { filter->GetOutput(), vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(1)),
+    filter->GetReport() };
+}
+
+vtkIdType CellArray(vtkUnstructuredGrid* grid, const char* name, vtkIdType cell)
+{
+  return static_cast<vtkIdType>(grid->GetCellData()->GetArray(name)->GetComponent(cell, 0));
+}
+
+/// The faces of a cell as rings of the grid's points, all outward or all inward.
+std::vector<std::vector<vtkIdType>> RingsOf(vtkCell* cell)
+{
+  std::vector<std::vector<vtkIdType>> faces;
+  for (int f = 0; f < cell->GetNumberOfFaces(); ++f)
+  {
+    vtkCell* face = cell->GetFace(f);
+    std::vector<vtkIdType> ring(face->GetPointIds()->begin(), face->GetPointIds()->end());
+    if (face->GetCellType() == VTK_PIXEL)
+    {
+      std::swap(ring[2], ring[3]);
+    }
+    faces.push_back(ring);
+  }
+  return faces;
+}
+
+/// One output by places that both outputs share: its net faces and the volume of each interval.
+class Region
+{
+public:
+  Region(const Extraction& extraction, int intervals, vtkDataSet* input,
+    std::map<Place, vtkIdType>& places)
+    : Grid(extraction.Volume)
+    , Faces(intervals)
+    , Volumes(intervals, 0.0L)
+  {
+    vtkDataArray* global = input->GetPointData()->GetGlobalIds();
+    vtkDataArray* origins = this->Grid->GetPointData()->GetArray("OriginPoints");
+    for (vtkIdType p = 0; p < this->Grid->GetNumberOfPoints(); ++p)
+    {
+      Place place;
+      this->Grid->GetPoint(p, place.data());
+      this->Names.push_back(
+        places.emplace(place, static_cast<vtkIdType>(places.size())).first->second);
+      this->Order.push_back(global && origins
+          ? global->GetComponent(static_cast<vtkIdType>(origins->GetComponent(p, 0)), 0)
+          : static_cast<double>(p));
+    }
+    for (vtkIdType cell = 0; cell < this->Grid->GetNumberOfCells(); ++cell)
+    {
+      this->Add(cell, static_cast<int>(CellArray(this->Grid, "IntervalId", cell)));
+    }
+  }
+
+  const Net& GetFaces(int interval) const { return this->Faces[interval]; }
+  double GetVolume(int interval) const { return static_cast<double>(this->Volumes[interval]); }
+
+private:
+  std::array<long double, 3> GetPoint(vtkIdType p) const
+  {
+    const double* x = this->Grid->GetPoint(p);
+    return { { x[0], x[1], x[2] } };
+  }
+
+  void Add(vtkIdType cell, int interval)
+  {
+    if (this->Grid->GetCellType(cell) == VTK_TETRA)
+    {
+      vtkNew<vtkIdList> p;
+      this->Grid->GetCellPoints(cell, p);
+      const Tetrahedron ids{ { p->GetId(0), p->GetId(1), p->GetId(2), p->GetId(3) } };
+      for (const auto& face : FacesOf({ ids }))
+      {
+        this->AddFace(interval, face.Key, face.Sign);
+      }
+      this->Volumes[interval] += this->SixthOf({ { ids[0], ids[1], ids[2] } }, ids[3]);
+      return;
+    }
+    const std::vector<Triangle> triangles = this->CutFaces(this->Grid->GetCell(cell));
+    const vtkIdType apex = triangles[0][0];
+    long double volume = 0;
+    for (const Triangle& triangle : triangles)
+    {
+      volume += this->SixthOf(triangle, apex);
+    }
+    // A triangle that is outward is clockwise as seen from inside.
+    for (const Triangle& triangle : triangles)
+    {
+      this->AddFace(interval, triangle, volume < 0 ? 1 : -1);
+    }
+    this->Volumes[interval] += std::abs(volume);
+  }
+
+  long double SixthOf(const Triangle& t, vtkIdType apex) const
+  {
+    return Determinant(this->GetPoint(t[0]), this->GetPoint(t[1]), this->GetPoint(t[2]),
+             this->GetPoint(apex)) /
+      6;
+  }
+
+  /// Fans from the first point of each face in the global order.
+  std::vector<Triangle> CutFaces(vtkCell* cell) const
+  {
+    std::vector<Triangle> triangles;
+    for (const std::vector<vtkIdType>& ring : RingsOf(cell))
+    {
+      const size_t first =
+        std::min_element(ring.begin(), ring.end(),
+          [this](vtkIdType a, vtkIdType b) { return this->Order[a] < this->Order[b]; }) -
+        ring.begin();
+      const size_t n = ring.size();
+      for (size_t i = 1; i + 1 < n; ++i)
+      {
+        triangles.push_back({ { ring[first], ring[(first + i) % n], ring[(first + i + 1) % n] } });
+      }
+    }
+    return triangles;
+  }
+
+  void AddFace(int interval, const Triangle& ids, int sign)
+  {
+    const OrientedSimplex<3> face(
+      Triangle{ { this->Names[ids[0]], this->Names[ids[1]], this->Names[ids[2]] } });
+    int& net = this->Faces[interval][face.Key];
+    net += sign * face.Sign;
+    if (net == 0)
+    {
+      this->Faces[interval].erase(face.Key);
+    }
+  }
+
+  vtkUnstructuredGrid* Grid;
+  std::vector<vtkIdType> Names;
+  std::vector<double> Order;
+  std::vector<Net> Faces;
+  std::vector<long double> Volumes;
+};
+
+/// The cells that are wholly inside an interval and are no tetrahedra.
+std::set<CellOfInterval> CellsInside(vtkDataSet* data, const std::vector<Interval>& intervals)
+{
+  std::set<CellOfInterval> inside;
+  vtkDataArray* values = data->GetPointData()->GetScalars();
+  vtkUnsignedCharArray* ghosts = data->GetCellGhostArray();
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    if (data->GetCellType(cell) == VTK_TETRA || (ghosts && ghosts->GetValue(cell)))
+    {
+      continue;
+    }
+    data->GetCellPoints(cell, ids);
+    for (size_t i = 0; i < intervals.size(); ++i)
+    {
+      const Interval& bounds = intervals[i];
+      const bool isOpen = bounds[0] < bounds[1] &&
+        std::any_of(intervals.begin(), intervals.end(),
+          [&](const Interval& other) { return other[0] == bounds[1] && other[0] < other[1]; });
+      if (std::all_of(ids->begin(), ids->end(),
+            [&](vtkIdType id)
+            {
+              const double value = values->GetComponent(id, 0);
+              return value >= bounds[0] && (isOpen ? value < bounds[1] : value <= bounds[1]);
+            }))
+      {
+        inside.emplace(cell, static_cast<int>(i));
+      }
+    }
+  }
+  return inside;
+}
+
+/// The types of all whole cells that were checked.
+std::set<int>& TypesMet()
+{
+  static std::set<int> types;
+  return types;
+}
+
+/// Whole cells have the input's points in their order and its type.
+void CheckCells(vtkDataSet* data, const Extraction& on, const Settings& settings, Check& check)
+{
+  vtkUnstructuredGrid* grid = on.Volume;
+  vtkDataArray* origins = grid->GetPointData()->GetArray("OriginPoints");
+  std::set<CellOfInterval> whole;
+  long long changed = 0;
+  long long numberOfWhole = 0;
+  vtkNew<vtkIdList> before;
+  vtkNew<vtkIdList> after;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    if (grid->GetCellType(cell) == VTK_TETRA)
+    {
+      continue;
+    }
+    ++numberOfWhole;
+    TypesMet().insert(grid->GetCellType(cell));
+    const vtkIdType origin = CellArray(grid, "OriginCell", cell);
+    whole.emplace(origin, static_cast<int>(CellArray(grid, "IntervalId", cell)));
+    data->GetCellPoints(origin, before);
+    grid->GetCellPoints(cell, after);
+    for (vtkIdType& id : *after)
+    {
+      id = static_cast<vtkIdType>(origins->GetComponent(id, 0));
+    }
+    std::vector<vtkIdType> ids(before->begin(), before->end());
+    std::vector<vtkIdType> found(after->begin(), after->end());
+    if (grid->GetCellType(cell) == VTK_POLYHEDRON)
+    {
+      std::sort(ids.begin(), ids.end());
+      std::sort(found.begin(), found.end());
+      changed +=
+        data->GetCell(origin)->GetNumberOfFaces() != grid->GetCell(cell)->GetNumberOfFaces();
+    }
+    changed += ids != found || data->GetCellType(origin) != grid->GetCellType(cell) ||
+      CellArray(grid, "tag", cell) != origin;
+  }
+  check.Equal(changed, 0, "whole cells that are not as in the input");
+  check.Equal(on.Report.WholeCells, numberOfWhole, "whole cells reported");
+  const std::set<CellOfInterval> inside = CellsInside(data, settings.Intervals);
+  check.Equal(static_cast<long long>(whole.size()), numberOfWhole, "whole cells, each once");
+  check.That(whole == inside,
+    "the whole cells are those inside: " + std::to_string(whole.size()) + ", not " +
+      std::to_string(inside.size()));
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    if (grid->GetCellType(cell) == VTK_TETRA &&
+      whole.count({ CellArray(grid, "OriginCell", cell),
+        static_cast<int>(CellArray(grid, "IntervalId", cell)) }))
+    {
+      check.That(false, "a whole cell has tetrahedra as well");
+      return;
+    }
+  }
+}
+
+void Compare(vtkDataSet* data, const Settings& settings, Check& check, bool arePlanar = true)
+{
+  vtkNew<vtkIdTypeArray> tags;
+  tags->SetName("tag");
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    tags->InsertNextValue(cell);
+  }
+  data->GetCellData()->AddArray(tags);
+  const Extraction off = Run(data, settings, false);
+  const Extraction on = Run(data, settings, true);
+  check.Equal(off.Report.WholeCells, 0, "whole cells without the option");
+  if (off.Volume->GetNumberOfCells() == 0)
+  {
+    check.Equal(on.Volume->GetNumberOfCells(), 0, "cells of nothing");
+    return;
+  }
+  std::map<Place, vtkIdType> places;
+  const int intervals = static_cast<int>(settings.Intervals.size());
+  const Region plain(off, intervals, data, places);
+  const size_t known = places.size();
+  const Region kept(on, intervals, data, places);
+  check.Equal(static_cast<long long>(places.size() - known), 0, "points that were not there");
+  const double scale = static_cast<double>(MeshVolume(data));
+  for (int i = 0; i < intervals; ++i)
+  {
+    const std::string name = "interval " + std::to_string(i) + ": ";
+    check.That(plain.GetFaces(i) == kept.GetFaces(i), name + "the same net faces");
+    check.Near(kept.GetVolume(i), plain.GetVolume(i), 1e-12, name + "volume", scale);
+  }
+  check.That(GeometricSet(off.Surface, { "IntervalId", "BoundarySide", "tag" }) ==
+      GeometricSet(on.Surface, { "IntervalId", "BoundarySide", "tag" }),
+    "the same boundary triangles");
+  if (settings.Criteria.empty())
+  {
+    CheckCells(data, on, settings, check);
+  }
+  if (arePlanar)
+  {
+    check.Equal(on.Report.WarpedFaces, 0, "warped faces");
+  }
+}
+
+const std::vector<std::vector<Interval>>& TiedIntervals()
+{
+  static const std::vector<std::vector<Interval>> all = { { { 1, 2 } }, { { 0, 1 }, { 1, 2 } },
+    { { 1, 1 }, { 1, 3 } }, { { 0, 0 }, { 0, 0.5 }, { 0.5, 4 } }, { { 0, 3 }, { 1, 2 } } };
+  return all;
+}
+
+void CheckMeshes(Check& check)
+{
+  for (MeshKind kind : AllMeshKinds())
+  {
+    for (unsigned int seed = 1; seed <= 2; ++seed)
+    {
+      for (int values : { 2, 3, 5 })
+      {
+        auto mesh = RenumberPoints(TurnCells(MakeMesh(kind, { 4, 3, 3 }, seed), seed), seed);
+        AddIntegerField(mesh, values, seed);
+        for (const std::vector<Interval>& intervals : TiedIntervals())
+        {
+          check.SetContext(GetName(kind) + ", " + std::to_string(values) + " values, seed " +
+            std::to_string(seed) + ", " + std::to_string(intervals.size()) + " intervals from " +
+            std::to_string(intervals[0][0]));
+          Compare(mesh, { intervals, {} }, check);
+        }
+      }
+    }
+  }
+}
+
+/// A wide field, so that most cells are whole; criteria cut some of them.
+void CheckCriteria(Check& check)
+{
+  for (MeshKind kind : { MeshKind::Hexahedra, MeshKind::Voxels, MeshKind::Wedges, MeshKind::Mixed,
+         MeshKind::Honeycomb })
+  {
+    for (unsigned int seed = 1; seed <= 2; ++seed)
+    {
+      check.SetContext("criteria on " + GetName(kind));
+      auto mesh = RenumberPoints(MakeMesh(kind, { 4, 4, 4 }, seed), seed);
+      AddIntegerField(mesh, 3, seed + 7, "g");
+      AddLinearField(mesh, { 0.1, { 0.3, 0.21, 0.4 } }, "h");
+      AddIntegerField(mesh, 3, seed);
+      Compare(mesh, { { { 0, 1 }, { 1, 2 } }, { { "h", 0.35, 2.9 } } }, check);
+      Compare(mesh, { { { 0, 2 } }, { { "g", 0, 1 }, { "h", 0.35, 2.9 } } }, check);
+      Compare(mesh, { { { 1, 2 } }, { { "g", 1, 1 } } }, check);
+    }
+  }
+}
+
+void CheckForms(Check& check)
+{
+  auto image = MakeImage({ 9, 8, 7 });
+  AddIntegerField(image, 3, 4);
+  for (const LatticeForm& form : FormsOf(image))
+  {
+    check.SetContext(form.Name);
+    for (const std::vector<Interval>& intervals : TiedIntervals())
+    {
+      Compare(form.Data, { intervals, {} }, check);
+    }
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    ghosts->SetNumberOfValues(form.Data->GetNumberOfCells());
+    ghosts->FillValue(0);
+    for (vtkIdType cell : { 3, 77, 78, 200, 301 })
+    {
+      ghosts->SetValue(cell, vtkDataSetAttributes::DUPLICATECELL);
+    }
+    form.Data->GetCellData()->AddArray(ghosts);
+    check.SetContext(form.Name + " with ghosts");
+    Compare(form.Data, { { { 0, 1 }, { 1, 2 } }, {} }, check);
+  }
+}
+
+void CheckRealData(Check& check)
+{
+  for (const std::string& name : GetTiedVolumes())
+  {
+    auto image = CropVolume(*interlume::ReadData(name), 20, 0);
+    const std::vector<double> values = GetQuantiles(*image);
+    for (size_t i = 0; i + 1 < values.size(); ++i)
+    {
+      check.SetContext(name + ", from " + std::to_string(values[i]));
+      Compare(
+        image, { { { values[i], values[i + 1] }, { values[i + 1], values.back() } }, {} }, check);
+    }
+    check.SetContext(name + ", one value");
+    Compare(image, { { { values[0], values[0] } }, {} }, check);
+  }
+}
+
+/// The global order goes by global ids; a mesh whose faces are bent still tiles with both.
+void CheckOrder(Check& check)
+{
+  for (unsigned int seed = 1; seed <= 3; ++seed)
+  {
+    auto mesh = RenumberPoints(MakeMesh(MeshKind::Mixed, { 4, 4, 4 }, seed), seed);
+    AddIntegerField(mesh, 3, seed);
+    std::mt19937 random(seed);
+    std::vector<vtkIdType> order(mesh->GetNumberOfPoints());
+    for (size_t p = 0; p < order.size(); ++p)
+    {
+      order[p] = 5 * static_cast<vtkIdType>(p) + 3;
+    }
+    std::shuffle(order.begin(), order.end(), random);
+    vtkNew<vtkIdTypeArray> ids;
+    ids->SetName("ids");
+    for (vtkIdType id : order)
+    {
+      ids->InsertNextValue(id);
+    }
+    mesh->GetPointData()->SetGlobalIds(ids);
+    check.SetContext("global ids");
+    Compare(mesh, { { { 0, 1 }, { 1, 2 } }, {} }, check);
+    for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+    {
+      double x[3];
+      mesh->GetPoint(p, x);
+      for (double& coordinate : x)
+      {
+        coordinate += 0.02 * std::generate_canonical<double, 32>(random);
+      }
+      mesh->GetPoints()->SetPoint(p, x);
+    }
+    mesh->GetPoints()->Modified();
+    check.SetContext("bent faces");
+    Compare(mesh, { { { 0, 1 }, { 1, 2 } }, {} }, check, false);
+  }
+}
+
+/// Two hexahedra that share a bent face: it counts where the one is whole and the other cut.
+void CheckWarpedFaces(Check& check)
+{
+  MeshBuilder builder;
+  for (int p = 0; p < 12; ++p)
+  {
+    builder.AddPoint(p / 4 + (p == 6 ? 0.1 : 0.0), p % 4 == 1 || p % 4 == 2, p % 4 >= 2);
+  }
+  builder.AddCell(VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 });
+  builder.AddCell(VTK_HEXAHEDRON, { 4, 5, 6, 7, 8, 9, 10, 11 });
+  auto mesh = builder.GetMesh();
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("f");
+  for (int p = 0; p < 12; ++p)
+  {
+    values->InsertNextValue(p / 4);
+  }
+  mesh->GetPointData()->SetScalars(values);
+  check.SetContext("two hexahedra");
+  check.Equal(Run(mesh, { { { 0, 1.5 } }, {} }, true).Report.WarpedFaces, 1, "warped faces");
+  check.Equal(Run(mesh, { { { 0, 2 } }, {} }, true).Report.WarpedFaces, 0, "between whole cells");
+  check.Equal(
+    Run(mesh, { { { 0, 1 }, { 1, 1.5 } }, {} }, true).Report.WarpedFaces, 0, "between cut cells");
+}
+
+void CheckManyThreads(Check& check)
+{
+  auto image = MakeImage({ 40, 40, 40 });
+  AddLinearField(image, { 0.0, { 0.1, 0.07, 0.03 } });
+  auto mesh = MakeMesh(MeshKind::Mixed, { 16, 16, 16 });
+  AddLinearField(mesh, { 0.0, { 0.1, 0.07, 0.03 } });
+  vtkDataSet* const inputs[] = { image, mesh };
+  for (vtkDataSet* data : inputs)
+  {
+    double range[2];
+    data->GetPointData()->GetScalars()->GetRange(range);
+    const double width = range[1] - range[0];
+    const Settings settings = { { { range[0] + 0.2 * width, range[0] + 0.5 * width },
+                                  { range[0] + 0.5 * width, range[0] + 0.9 * width } },
+      {} };
+    CheckThreads(
+      std::string("whole cells of ") + data->GetClassName(),
+      [&]
+      {
+        const Extraction on = Run(data, settings, true);
+        return std::vector<vtkSmartPointer<vtkUnstructuredGrid>>{ on.Volume, on.Surface };
+      },
+      check);
+  }
+}
+
+}
+
+int TestIntervalVolumeWhole(int, char*[])
+{
+  Check check;
+  CheckWarpedFaces(check);
+  CheckMeshes(check);
+  CheckForms(check);
+  CheckCriteria(check);
+  CheckOrder(check);
+  CheckRealData(check);
+  CheckManyThreads(check);
+  check.SetContext("all");
+  check.That(TypesMet() ==
+      std::set<int>{ VTK_VOXEL, VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID, VTK_POLYHEDRON },
+    "every type of cell was whole");
+  return check.Result();
+}
