@@ -4,6 +4,7 @@
 #include "Benchmarks/Intervals/IntervalMemory.h"
 #include "Benchmarks/Intervals/IntervalOrientation.h"
 #include "Benchmarks/Intervals/IntervalSpeed.h"
+#include "Benchmarks/Intervals/IntervalWhole.h"
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Results/SpeedPlots.h"
 #include "Benchmarks/Suites/BenchSuites.h"
@@ -15,6 +16,7 @@ namespace
 const char* const MemoryTask = "memory";
 const char* const HexahedraTask = "memory-hexahedra";
 const char* const FirstUseTask = "first-use";
+const char* const WholeTask = "memory-whole";
 
 class SuiteInterval : public BenchSuite
 {
@@ -47,6 +49,10 @@ std::vector<std::string> SuiteInterval::GetDescription() const
     "value ranges against a pass over all cells, in the middle of the range of values, where it "
     "passes through most of the domain, and at its end. The parameter is the interval's width as a "
     "share of the range of values; share is the share of cells with output.",
+    "whole-cells: the same with KeepWholeCells, against without (tetrahedra) and against clip2, "
+    "which "
+    "keeps whole cells too; output_kib is the size of the output, growth_kib by how much the "
+    "resident memory of a process of its own grew at most.",
     "memory: in a process of its own; peak_kib is the input and the largest growth of resident "
     "memory; peak_share is the growth divided by the output; first_use_kib, which the tables and "
     "the code took before, is not in it.",
@@ -66,6 +72,11 @@ void SuiteInterval::Run(const BenchOptions& options, BenchRows& rows) const
   interval::AddSpeedRows(options, rows);
   interval::AddThreadRows(options, rows);
   interval::AddReExtractionRows(options, rows);
+  interval::AddWholeRows(
+    options,
+    [&](const std::string& task)
+    { return this->RunChild(std::string(WholeTask) + " " + task, options); },
+    rows);
   this->AddMemoryRows(options, rows);
   this->AddFirstUseRows(options, rows);
   interval::AddOrientationRows(options, rows);
@@ -131,6 +142,10 @@ nlohmann::ordered_json SuiteInterval::RunTask(
   if (name == FirstUseTask)
   {
     return interval::MeasureFirstUse(std::stoi(argument), options);
+  }
+  if (name == WholeTask)
+  {
+    return interval::MeasureWholeMemory(argument, options);
   }
   return this->BenchSuite::RunTask(task, options);
 }
