@@ -9,8 +9,8 @@
 #include "Static/GhostCells.h"
 #include "Static/StructuredExtraction.h"
 #include "Static/UnstructuredExtraction.h"
-#include "Static/WarpedFaces.h"
 #include "Static/WholeCells.h"
+#include "Static/WholeFaces.h"
 #include "Static/WholeOutput.h"
 
 #include "vtkCellArray.h"
@@ -181,7 +181,7 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   if (this->Whole)
   {
     report.WholeCells = mesh.Simplices.GetNumberOfWhole();
-    report.WarpedFaces = isFurther ? 0 : WarpedFaces::Count(context, mesh, points);
+    report.WarpedFaces = isFurther ? 0 : WholeFaces::CountWarped(context, mesh, points);
     this->Whole->First = mesh.Simplices.GetNumber();
     this->Whole->Points.Free();
     this->Whole->TriangleWholes = std::move(mesh.TriangleWholes);

@@ -18,6 +18,8 @@
 #include <numeric>
 #include <vector>
 
+class vtkPoints;
+
 namespace interlume
 {
 
@@ -35,6 +37,14 @@ public:
 
   /// A face of three or four points in no order; the fourth of a triangle is -1.
   using Polygon = std::array<vtkIdType, 4>;
+
+  /**
+   * Returns the number of quadrilaterals, not planar, where a whole cell meets tetrahedra, in the
+   * first pass's mesh, whose coordinates are \a points. There a whole cell's face is one surface
+   * through four points, and the tetrahedra's are two triangles.
+   */
+  static vtkIdType CountWarped(
+    const ExtractionContext& context, const ExtractionMesh& mesh, vtkPoints* points);
 
   WholeFaces(const ExtractionContext& context, const ExtractionMesh& mesh)
     : Context(context)

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Static/WarpedFaces.h"
+#include "Static/WholeFaces.h"
 
 #include "Common/Vectors.h"
 #include "Output/TiedFaces.h"
 #include "Static/ExtractionCleanup.h"
-#include "Static/WholeFaces.h"
 
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
@@ -42,7 +41,7 @@ bool IsWarped(vtkPoints* points, const WholeFaces::Polygon& polygon)
 }
 }
 
-vtkIdType WarpedFaces::Count(
+vtkIdType WholeFaces::CountWarped(
   const ExtractionContext& context, const ExtractionMesh& mesh, vtkPoints* points)
 {
   const SimplexList& cells = mesh.Simplices;
