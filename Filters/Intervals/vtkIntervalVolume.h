@@ -90,7 +90,7 @@ struct WholePass;
  * Where the faces are planar both sides cover the same points, to rounding, and volumes add up as
  * without. A face that is not planar is a bilinear surface to some readers of a whole cell, and two
  * triangles to its neighbour: a gap or an overlap as thick as the face is bent. GetReport() counts
- * the quadrilaterals where that is so; polygons with more corners are not counted. A concave
+ * the quadrilaterals where that is so, but no larger polygons and nothing between pieces. A concave
  * polyhedron that is whole has its own volume, without the overlap above. Whole cells are no input
  * for vtkTimeWeightedTetrahedraMapper, which says so; vtkIntervalVolume over the scalar's whole
  * range cuts them as it would have at once where there are no global ids.

@@ -89,11 +89,13 @@ vtkIdType WholeFaces::CountWarped(
         });
     });
   TiedFaces<3> faces(mesh.Points.GetSize());
+  // Each has a place of its own: of two whole cells that meet only their two go.
+  std::size_t place = 0;
   for (const std::vector<Face>& list : found)
   {
     for (const Face& face : list)
     {
-      faces.Add(face.second, face.first.data(), 0);
+      faces.Add(face.second, face.first.data(), place++);
     }
   }
   faces.Cancel([](std::size_t) {});

@@ -148,6 +148,12 @@ std::vector<Extraction> MakeExtractions(const Case& test)
   volume->SetInterval(0, test.Low, test.Middle);
   volume->SetInterval(1, test.Middle, test.High);
   volume->GenerateBoundariesOn();
+  vtkNew<vtkIntervalVolume> whole;
+  whole->SetInputConnection(makeSource(1)->GetOutputPort());
+  whole->SetInterval(0, test.Low, test.Middle);
+  whole->SetInterval(1, test.Middle, test.High);
+  whole->GenerateBoundariesOn();
+  whole->KeepWholeCellsOn();
   vtkNew<vtkIsotableContour> contour;
   contour->SetInputConnection(makeSource(1)->GetOutputPort());
   contour->SetValue(0, test.Low);
@@ -161,6 +167,8 @@ std::vector<Extraction> MakeExtractions(const Case& test)
   return {
     { "tetrahedra", volume.Get(), 0, { "IntervalId" }, "" },
     { "boundary triangles", volume.Get(), 1, { "IntervalId", "BoundarySide" }, "" },
+    { "whole cells", whole.Get(), 0, { "IntervalId" }, "" },
+    { "boundary triangles of whole cells", whole.Get(), 1, { "IntervalId", "BoundarySide" }, "" },
     { "contours", contour.Get(), 0, { "ContourId" }, "" },
     { "tetrahedra in time", inTime.Get(), 0, { "IntervalId", "SimplexClass", "TimeSlab" },
       "DeltaT" },

@@ -41,19 +41,29 @@ int TestIntervalVolumePieces(int, char*[])
   volume->SetInterval(0, 120, 160);
   volume->SetInterval(1, 160, 210);
   volume->GenerateBoundariesOn();
+  vtkNew<vtkIntervalVolume> whole;
+  whole->SetInputConnection(source->GetOutputPort());
+  whole->SetInterval(0, 120, 160);
+  whole->SetInterval(1, 160, 210);
+  whole->GenerateBoundariesOn();
+  whole->KeepWholeCellsOn();
   vtkNew<vtkIsotableContour> contour;
   contour->SetInputConnection(source->GetOutputPort());
   contour->SetValue(0, 157);
 
   const auto tetrahedra = Collect(volume, 0, 1, "IntervalId");
   const auto triangles = Collect(volume, 1, 1, "BoundarySide");
+  const auto cells = Collect(whole, 0, 1, "IntervalId");
   const auto surface = Collect(contour, 0, 1, "ContourId");
-  check.That(!tetrahedra.empty() && !triangles.empty() && !surface.empty(), "there is output");
+  check.That(!tetrahedra.empty() && !triangles.empty() && !cells.empty() && !surface.empty(),
+    "there is output");
   for (int pieces : { 2, 3, 8 })
   {
     check.SetContext(std::to_string(pieces) + " pieces");
     check.That(Collect(volume, 0, pieces, "IntervalId") == tetrahedra, "the tetrahedra");
     check.That(Collect(volume, 1, pieces, "BoundarySide") == triangles, "the boundary triangles");
+    check.That(Collect(whole, 0, pieces, "IntervalId") == cells, "tetrahedra and whole cells");
+    check.That(Collect(whole, 1, pieces, "BoundarySide") == triangles, "the same triangles");
     check.That(Collect(contour, 0, pieces, "ContourId") == surface, "the contour");
   }
   return check.Result();
