@@ -2,13 +2,13 @@
 #include "vtkIntervalVolume.h"
 
 #include "Common/IntervalCheck.h"
+#include "Grid/WholeCells.h"
 #include "Static/EmptyResult.h"
 #include "Static/Extraction.h"
 #include "Static/ExtractionArrays.h"
 #include "Static/ExtractionIndex.h"
 #include "Static/ExtractionInput.h"
 #include "Static/GhostCells.h"
-#include "Static/WholeCells.h"
 
 #include "vtkCellData.h"
 #include "vtkCommand.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Static/Extraction.h"
 
+#include "Grid/WholeCells.h"
 #include "Static/ExtractionArrays.h"
 #include "Static/ExtractionCleanup.h"
 #include "Static/ExtractionDispatch.h"
@@ -9,7 +10,6 @@
 #include "Static/GhostCells.h"
 #include "Static/StructuredExtraction.h"
 #include "Static/UnstructuredExtraction.h"
-#include "Static/WholeCells.h"
 #include "Static/WholeFaces.h"
 #include "Static/WholeOutput.h"
 
@@ -183,7 +183,7 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
     report.WholeCells = mesh.Simplices.GetNumberOfWhole();
     report.WarpedFaces = isFurther ? 0 : WholeFaces::CountWarped(context, mesh, points);
     this->Whole->First = mesh.Simplices.GetNumber();
-    this->Whole->Points.Free();
+    this->Whole->Points = {};
     this->Whole->TriangleWholes = std::move(mesh.TriangleWholes);
   }
   if (linear)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Static/ExtractionCleanup.h"
 
+#include "Grid/WholeCells.h"
 #include "Output/OppositePairs.h"
-#include "Static/WholeCells.h"
 #include "Static/WholeFaces.h"
 
 #include "vtkCellData.h"

@@ -3,13 +3,13 @@
 
 #include "Grid/CellOrientation.h"
 #include "Grid/RowIndex.h"
+#include "Grid/WholeCells.h"
 #include "Static/ExtractionCell.h"
 #include "Static/ExtractionIndex.h"
 #include "Static/ExtractionKernels.h"
 #include "Static/ExtractionScalars.h"
 #include "Static/GhostCells.h"
 #include "Static/MergedCut.h"
-#include "Static/WholeCells.h"
 
 #include "vtkCellType.h"
 #include "vtkImageData.h"

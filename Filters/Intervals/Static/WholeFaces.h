@@ -5,9 +5,9 @@
 #include "Grid/CellCorners.h"
 #include "Grid/CellOrientation.h"
 #include "Grid/CornerOrder.h"
+#include "Grid/WholeCells.h"
 #include "Static/ExtractionCell.h"
 #include "Static/ExtractionContext.h"
-#include "Static/WholeCells.h"
 
 #include "vtkIdList.h"
 #include "vtkIsotable.h"

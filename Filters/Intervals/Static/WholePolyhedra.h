@@ -2,9 +2,9 @@
 #ifndef interlume_WholePolyhedra_h
 #define interlume_WholePolyhedra_h
 
+#include "Grid/WholeCells.h"
 #include "Static/ExtractionContext.h"
 #include "Static/UnstructuredCells.h"
-#include "Static/WholeCells.h"
 
 #include "vtkCellType.h"
 #include "vtkIdList.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Static/WholeCells.h"
+#include "Grid/WholeCells.h"
 
 #include "vtkDataArray.h"
 #include "vtkSMPTools.h"
@@ -12,11 +12,7 @@ namespace interlume
 void WholePass::Exclude(vtkDataArray* array, double lower, double upper)
 {
   const vtkIdType number = array->GetNumberOfTuples();
-  if (this->Points.GetSize() == 0)
-  {
-    this->Points.Allocate(number);
-    std::fill_n(this->Points.GetData(), number, static_cast<unsigned char>(1));
-  }
+  this->Points.resize(number, 1);
   vtkSMPTools::For(0, number,
     [&](vtkIdType first, vtkIdType last)
     {
@@ -33,7 +29,7 @@ WholeCells::WholeCells(
   vtkDataSet* original, const std::vector<vtkIdType>* originals, const WholePass& pass)
   : Original(original)
   , Originals(originals)
-  , Marks(pass.Points.GetData())
+  , Marks(pass.Points.empty() ? nullptr : pass.Points.data())
   , FirstPassed(pass.First < 0 ? original->GetNumberOfCells() : pass.First)
 {
   vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(original);

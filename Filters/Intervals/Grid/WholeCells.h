@@ -4,7 +4,6 @@
 
 #include "Common/GridCells.h"
 #include "Grid/CellCorners.h"
-#include "Output/ExtractionBuffer.h"
 
 #include "vtkDataSet.h"
 #include "vtkSmartPointer.h"
@@ -24,7 +23,7 @@ struct WholePass
 {
   /// A mark for each point of the first pass's input, 0 where a criterion leaves it out; empty
   /// where there are no criteria.
-  ExtractionBuffer<unsigned char> Points;
+  std::vector<unsigned char> Points;
   /// The first whole cell of the pass before, which are the last ones of its output; -1 in the
   /// first pass.
   vtkIdType First = -1;
