@@ -50,7 +50,8 @@ vtkIdType WholeFaces::CountWarped(
   {
     return 0;
   }
-  // Only faces all of whose points are also those of tetrahedra come into question.
+  // Only faces of which three points are also those of tetrahedra come into question: where values
+  // equal a bound, there may be a tetrahedron at one of a face's triangles and none at the other.
   ExtractionBuffer<std::atomic<unsigned char>> isCut;
   isCut.AllocateZeros(mesh.Points.GetSize());
   vtkSMPTools::For(0, cells.GetNumber() * 4,
@@ -68,28 +69,34 @@ vtkIdType WholeFaces::CountWarped(
   whole.ForEachCell(
     [&](vtkIdType cell, const vtkIdType* ids, int number)
     {
-      if (std::count_if(ids, ids + number, isNear) < 4)
+      if (std::count_if(ids, ids + number, isNear) < 3)
       {
         return;
       }
       std::vector<Face>& list = found.Local();
       WholeFaces::Polygon last{};
+      bool mayCount = false;
       whole.Visit(cell, ids, number,
         [&](const WholeFaces::Triangle& triangle, const WholeFaces::Polygon& polygon)
         {
-          // One of the two triangles of a face stands for it.
-          if (polygon != last && std::all_of(polygon.begin(), polygon.end(), isNear) &&
-            IsWarped(points, polygon))
+          if (polygon != last)
+          {
+            mayCount = polygon[3] >= 0 &&
+              std::count_if(polygon.begin(), polygon.end(), isNear) >= 3 &&
+              IsWarped(points, polygon);
+            last = polygon;
+          }
+          if (mayCount)
           {
             // Turned as the tetrahedron's beyond is.
             list.push_back({ { { triangle[1], triangle[0], triangle[2] } },
               mesh.ItemIds->GetValue(cells.GetNumber() + cell) });
           }
-          last = polygon;
         });
     });
   TiedFaces<3> faces(mesh.Points.GetSize());
-  // Each has a place of its own: of two whole cells that meet only their two go.
+  // Each has a place of its own: of two whole cells that meet only theirs go. A face's two
+  // triangles follow each other.
   std::size_t place = 0;
   for (const std::vector<Face>& list : found)
   {
@@ -100,9 +107,10 @@ vtkIdType WholeFaces::CountWarped(
   }
   faces.Cancel([](std::size_t) {});
   ExtractionCleanup::CountFaces(mesh, faces);
-  vtkIdType number = 0;
-  faces.Visit([&number](std::size_t, bool isFace, vtkIdType) { number += isFace; });
-  return number;
+  std::vector<bool> isMet(place / 2, false);
+  faces.Visit(
+    [&isMet](std::size_t at, bool isFace, vtkIdType) { isMet[at / 2] = isMet[at / 2] || isFace; });
+  return std::count(isMet.begin(), isMet.end(), true);
 }
 
 }
