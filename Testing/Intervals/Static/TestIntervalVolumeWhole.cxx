@@ -443,6 +443,7 @@ void CheckCriteria(Check& check)
 void CheckForms(Check& check)
 {
   auto image = MakeImage({ 9, 8, 7 });
+  AddLinearField(image, { 0.1, { 0.3, 0.21, 0.4 } }, "h");
   AddIntegerField(image, 3, 4);
   for (const LatticeForm& form : FormsOf(image))
   {
@@ -451,6 +452,8 @@ void CheckForms(Check& check)
     {
       Compare(form.Data, { intervals, {} }, check);
     }
+    check.SetContext("a criterion on " + form.Name);
+    Compare(form.Data, { { { 0, 1 }, { 1, 2 } }, { { "h", 0.35, 2.9 } } }, check);
     vtkNew<vtkUnsignedCharArray> ghosts;
     ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
     ghosts->SetNumberOfValues(form.Data->GetNumberOfCells());
