@@ -50,8 +50,6 @@ struct Found
   // Whether slots were made one.
   bool IsMerged;
   bool IsInverted;
-  // Whether the cell is passed on whole; then only its place and item count.
-  bool IsWhole;
 };
 
 // The result of the counting pass for a chunk of cells, which the writing pass uses.
@@ -79,11 +77,25 @@ struct Chunk
   }
 };
 
+// A cell that is passed on whole.
+struct FoundWhole
+{
+  // The place of the cell, counted from the chunk's first.
+  std::uint16_t Position;
+  std::uint16_t Item;
+};
+
 // A chunk of which some cells are passed on whole.
 struct ChunkWithWhole : Chunk
 {
+  std::vector<FoundWhole> WholeCases;
   vtkIdType Whole = 0;
   vtkIdType WholeIds = 0;
+
+  std::size_t GetBytes() const
+  {
+    return this->Chunk::GetBytes() + this->WholeCases.capacity() * sizeof(FoundWhole);
+  }
 };
 
 // A cell near an item, its corners in the order of its table.
@@ -470,7 +482,7 @@ private:
       chunk.Simplices += static_cast<vtkIdType>(cut.NumberOfSimplices);
       chunk.Triangles += static_cast<vtkIdType>(cut.NumberOfTriangles);
       chunk.Cases.push_back({ static_cast<std::uint16_t>(position), static_cast<std::uint16_t>(key),
-        static_cast<std::uint16_t>(number), isPlain, isMerged, isInverted, false });
+        static_cast<std::uint16_t>(number), isPlain, isMerged, isInverted });
     }
     chunk.Report.CellsWithOutput += GetOutput(chunk) != before;
   }
@@ -607,8 +619,8 @@ private:
     }
     ++chunk.Whole;
     chunk.WholeIds += static_cast<vtkIdType>(points.size());
-    chunk.Cases.push_back({ static_cast<std::uint16_t>(position), 0,
-      static_cast<std::uint16_t>(item), true, false, false, true });
+    chunk.WholeCases.push_back(
+      { static_cast<std::uint16_t>(position), static_cast<std::uint16_t>(item) });
   }
 
   // Finds which slots are the same point. Returns false where none are.
@@ -719,19 +731,10 @@ private:
     vtkIdType ids[vtkIsotable::MaximumNumberOfSlots];
     MergedCut merged;
     Cell cell{};
-    std::vector<vtkIdType> points;
     cell.Id = -1;
     for (const Found& found : chunk.Cases)
     {
       const vtkIdType id = number * ChunkSize + found.Position;
-      if constexpr (KeepsWhole)
-      {
-        if (found.IsWhole)
-        {
-          this->WriteWhole(id, found.Item, chunk, points);
-          continue;
-        }
-      }
       const vtkIsotable::Shapes shape = this->Cells.GetCorners(id).Shape;
       const Cut cut = found.IsPlain ? this->GetTableCut(this->Tables[shape]->GetCase(found.Key))
                                     : this->GetOwnCut(chunk, *own, ownSimplex, ownTriangle, slots);
@@ -762,18 +765,30 @@ private:
       }
       this->WriteCut(id, found, cut, ids, simplex, triangle);
     }
+    if constexpr (KeepsWhole)
+    {
+      this->WriteWhole(number * ChunkSize, chunk);
+    }
   }
 
-  void WriteWhole(vtkIdType id, int item, Chunk& chunk, std::vector<vtkIdType>& points)
+  // Writes the cells of a chunk that are passed on whole; its first one is \a begin.
+  void WriteWhole(vtkIdType begin, const Chunk& chunk)
   {
-    const unsigned char type = this->GetWholePoints(id, points);
-    for (vtkIdType& point : points)
+    std::vector<vtkIdType> points;
+    vtkIdType whole = chunk.Whole;
+    vtkIdType place = chunk.WholeIds;
+    for (const FoundWhole& found : chunk.WholeCases)
     {
-      point = this->Points.GetId(point, {});
+      const vtkIdType id = begin + found.Position;
+      const unsigned char type = this->GetWholePoints(id, points);
+      for (vtkIdType& point : points)
+      {
+        point = this->Points.GetId(point, {});
+      }
+      const int number = static_cast<int>(points.size());
+      this->Mesh.WriteWhole(whole++, place, type, points.data(), number, found.Item, id);
+      place += number;
     }
-    const int number = static_cast<int>(points.size());
-    this->Mesh.WriteWhole(chunk.Whole++, chunk.WholeIds, type, points.data(), number, item, id);
-    chunk.WholeIds += number;
   }
 
   // Notes the simplices and triangles of a cell with merged slots that have to be compared with
