@@ -502,7 +502,7 @@ int main(int argc, char* argv[])
   vtkNew<vtkImplicitFlowVolumeMapper> inflow;
   Check(!inflow->GetTimeGate(), "paint is put in always at first");
   const double* paint = inflow->GetDefaultColor();
-  CompareWithXML(folder + "/InflowTextureRepresentation.xml", "RepresentationProxy",
+  CompareWithXML(folder + "/InflowTextureRepresentation.xml", "DisplayedVolumeRepresentationProxy",
     "vtkInflowTextureRepresentation", "Inflow",
     { { "InflowTexture", inflow->GetNumberOfInflowTextures() > 0 ? "image" : "" },
       { "InflowSurfaceTexture", inflow->GetInflowTexture(0) ? "image" : "" },

@@ -2,6 +2,8 @@
 #ifndef interlume_RowIndex_h
 #define interlume_RowIndex_h
 
+#include "Grid/GridWindow.h"
+
 #include "vtkType.h"
 
 #include <algorithm>
@@ -15,17 +17,27 @@ namespace interlume
  * @brief   index arithmetic of a grid of rows, in 64 bits throughout
  *
  * Points are numbered along i, then j, then k. A row of points is numbered j + k nj; a row of cells
- * among cells only, j + k (nj - 1).
+ * among cells only, j + k (nj - 1). Rows may be those of a window of the grid alone: ids of points
+ * and cells, and indices along the axes, stay the grid's; rows, and j and k of a row, are the
+ * window's.
  */
 class RowIndex
 {
 public:
   explicit RowIndex(const int dimensions[3])
-    : Ni(dimensions[0])
-    , Nj(dimensions[1])
-    , Nk(dimensions[2])
-    , InverseNi(1.0 / static_cast<double>(std::max(dimensions[0], 1)))
-    , InverseNj(1.0 / static_cast<double>(std::max(dimensions[1], 1)))
+    : RowIndex(dimensions, GridWindow(dimensions))
+  {
+  }
+  RowIndex(const int dimensions[3], const GridWindow& window)
+    : Nj(window.Last[1] - window.First[1] + 1)
+    , Nk(window.Last[2] - window.First[2] + 1)
+    , GridNi(dimensions[0])
+    , GridNj(dimensions[1])
+    , GridNk(dimensions[2])
+    , First(window.First)
+    , InverseNj(1.0 / static_cast<double>(std::max<vtkIdType>(Nj, 1)))
+    , InverseGridNi(1.0 / static_cast<double>(std::max(dimensions[0], 1)))
+    , InverseGridNj(1.0 / static_cast<double>(std::max(dimensions[1], 1)))
   {
   }
 
@@ -33,26 +45,32 @@ public:
   vtkIdType GetRow(vtkIdType j, vtkIdType k) const { return j + k * this->Nj; }
   vtkIdType GetJ(vtkIdType row) const { return row - this->GetK(row) * this->Nj; }
   vtkIdType GetK(vtkIdType row) const { return Divide(row, this->Nj, this->InverseNj); }
-  vtkIdType GetFirstPoint(vtkIdType row) const { return row * this->Ni; }
+  vtkIdType GetFirstPoint(vtkIdType row) const
+  {
+    const vtkIdType j = this->First[1] + this->GetJ(row);
+    const vtkIdType k = this->First[2] + this->GetK(row);
+    return this->First[0] + (j + k * this->GridNj) * this->GridNi;
+  }
 
   /// Returns whether cells begin at a row of points.
   bool HasCells(vtkIdType j, vtkIdType k) const { return j + 1 < this->Nj && k + 1 < this->Nk; }
 
-  /// Returns the row of cells at a row of points; for the last rows of points that of the cells
-  /// before them.
+  /// Returns the row of the grid's cells at a row of points; for the last rows of points that of
+  /// the cells before them.
   vtkIdType GetCellRow(vtkIdType j, vtkIdType k) const
   {
-    return std::min(j, this->Nj - 2) + std::min(k, this->Nk - 2) * (this->Nj - 1);
+    return this->First[1] + std::min(j, this->Nj - 2) +
+      (this->First[2] + std::min(k, this->Nk - 2)) * (this->GridNj - 1);
   }
   vtkIdType GetFirstCell(vtkIdType j, vtkIdType k) const
   {
-    return this->GetCellRow(j, k) * (this->Ni - 1);
+    return this->First[0] + this->GetCellRow(j, k) * (this->GridNi - 1);
   }
 
   /// Returns the step from a point to its neighbour along an axis.
   vtkIdType GetStep(int axis) const
   {
-    return axis == 0 ? 1 : axis == 1 ? this->Ni : this->Ni * this->Nj;
+    return axis == 0 ? 1 : axis == 1 ? this->GridNi : this->GridNi * this->GridNj;
   }
 
   /// Returns vertex 0 ... 7, in the order of VTK_VOXEL, of the cell whose vertex 0 is \a point.
@@ -64,9 +82,10 @@ public:
 
   std::array<int, 3> GetIjk(vtkIdType point) const
   {
-    const vtkIdType row = Divide(point, this->Ni, this->InverseNi);
-    return { { static_cast<int>(point - row * this->Ni), static_cast<int>(this->GetJ(row)),
-      static_cast<int>(this->GetK(row)) } };
+    const vtkIdType row = Divide(point, this->GridNi, this->InverseGridNi);
+    const vtkIdType k = Divide(row, this->GridNj, this->InverseGridNj);
+    return { { static_cast<int>(point - row * this->GridNi),
+      static_cast<int>(row - k * this->GridNj), static_cast<int>(k) } };
   }
 
   /// Returns the axis along which two neighbours differ, 0 for equal points.
@@ -74,9 +93,9 @@ public:
   {
     const vtkIdType step = a < b ? b - a : a - b;
     // An axis with one point has no neighbours; its step may be that of the next.
-    return this->Nk > 1 && step == this->GetStep(2) ? 2
-      : this->Nj > 1 && step == this->GetStep(1)    ? 1
-                                                    : 0;
+    return this->GridNk > 1 && step == this->GetStep(2) ? 2
+      : this->GridNj > 1 && step == this->GetStep(1)    ? 1
+                                                        : 0;
   }
 
 private:
@@ -88,11 +107,15 @@ private:
     return near + (a - near * b >= b);
   }
 
-  vtkIdType Ni;
   vtkIdType Nj;
   vtkIdType Nk;
-  double InverseNi;
+  vtkIdType GridNi;
+  vtkIdType GridNj;
+  vtkIdType GridNk;
+  std::array<vtkIdType, 3> First;
   double InverseNj;
+  double InverseGridNi;
+  double InverseGridNj;
 };
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Static/GhostCells.h"
 
+#include "Grid/GridWindow.h"
 #include "Static/ExtractionCleanup.h"
 #include "Static/ExtractionContext.h"
 #include "Static/ExtractionScalars.h"
@@ -97,6 +98,14 @@ bool GhostCells::AreTied(const ExtractionContext& context)
     }
   }
   return false;
+}
+
+bool GhostCells::AreTiedBeyond(
+  const ExtractionContext& context, const int dimensions[3], const GridWindow& window)
+{
+  const auto scalars = ExtractionScalars::Make(context.Scalars, *context.Values);
+  return window.AnyBeyond(dimensions,
+    [&scalars](vtkIdType first, vtkIdType last) { return HasTies(*scalars, first, last); });
 }
 
 void GhostCells::Remove(const ExtractionContext& context, ExtractionMesh& mesh)

@@ -11,6 +11,7 @@ namespace interlume
 
 struct ExtractionContext;
 struct ExtractionMesh;
+struct GridWindow;
 
 /**
  * @class   GhostCells
@@ -40,6 +41,10 @@ public:
   /// Returns whether a value equals an isovalue, or is not finite, at a corner of a ghost cell.
   /// Extraction from grids of rows finds that by itself, in passing.
   static bool AreTied(const ExtractionContext& context);
+
+  /// Returns the same of the cells of a grid beyond a window, be they ghost cells or hidden.
+  static bool AreTiedBeyond(
+    const ExtractionContext& context, const int dimensions[3], const GridWindow& window);
 
   /// Leaves out what comes of ghost cells, and counts these as left out.
   static void Remove(const ExtractionContext& context, ExtractionMesh& mesh);

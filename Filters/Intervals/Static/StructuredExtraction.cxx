@@ -137,7 +137,8 @@ class Extractor
   using RowCount = std::conditional_t<KeepsWhole, RowCountWithWhole, interlume::RowCount>;
 
 public:
-  Extractor(ExtractionContext& context, const int dimensions[3], ExtractionMesh& mesh)
+  Extractor(ExtractionContext& context, const int dimensions[3], const GridWindow& window,
+    bool hasBlanking, ExtractionMesh& mesh)
     : Context(context)
     , Values(*context.Values)
     , Scalars(ExtractionScalars::Make(context.Scalars, *context.Values))
@@ -146,10 +147,11 @@ public:
     , Places(FindSlotPlaces(Table))
     , Ranks(FindRanks(Table))
     , Orientation(context.Input)
-    , Rows(dimensions)
-    , Nx(dimensions[0])
-    , Ny(dimensions[1])
-    , Nz(dimensions[2])
+    , Rows(dimensions, window)
+    , Nx(window.Last[0] - window.First[0] + 1)
+    , Ny(window.Last[1] - window.First[1] + 1)
+    , Nz(window.Last[2] - window.First[2] + 1)
+    , HasBlanking(hasBlanking)
     , SimplexSize(context.GetSimplexSize())
     , KeyInside(static_cast<Code>(ExtractionCell::GetKeyInside(8)))
     , WholeType(GetTypeInRows(context.Input))
@@ -393,7 +395,7 @@ private:
     // A point is in the output unless its cells are blanked or its simplices have collapsed.
     const bool hasTies = std::any_of(
       this->Locals.begin(), this->Locals.end(), [](const Local& local) { return local.HasTies; });
-    this->MarksUsed = hasTies || this->Context.HasBlanking() || this->Values.HasFlatItem();
+    this->MarksUsed = hasTies || this->HasBlanking || this->Values.HasFlatItem();
     if (this->MarksUsed)
     {
       this->Mesh.Used.AllocateZeros(total.Points);
@@ -588,7 +590,7 @@ private:
     if (Write)
     {
       this->FindSlotRows(local, around);
-      if (this->Context.HasBlanking())
+      if (this->HasBlanking)
       {
         this->CutBlanked(local, around);
       }
@@ -730,7 +732,7 @@ private:
     {
       local.Report.CellsVisited += span[1] - span[0];
     }
-    if (this->Context.HasBlanking())
+    if (this->HasBlanking)
     {
       local.Report.BlankedCells += this->CutBlanked(local, around);
     }
@@ -1023,6 +1025,8 @@ private:
   vtkIdType Nx;
   vtkIdType Ny;
   vtkIdType Nz;
+  // Whether any cell in the window may be blanked.
+  bool HasBlanking;
   int SimplexSize;
   // The key of a cell inside of an interval, and the type that it is passed on as.
   Code KeyInside;
@@ -1038,8 +1042,18 @@ private:
 bool StructuredExtraction::Execute(
   ExtractionContext& context, const int dimensions[3], ExtractionMesh& mesh)
 {
-  return context.Whole ? Extractor<true>(context, dimensions, mesh).Execute()
-                       : Extractor<false>(context, dimensions, mesh).Execute();
+  GridWindow window(dimensions);
+  const vtkIdType cells = window.GetNumberOfCells();
+  // An index is of the rows of the whole grid.
+  const bool isBox = !context.Index && window.Shrink(context, dimensions) &&
+    !GhostCells::AreTiedBeyond(context, dimensions, window);
+  window = isBox ? window : GridWindow(dimensions);
+  const vtkIdType beyond = cells - window.GetNumberOfCells();
+  context.Report->CellsVisited += beyond;
+  context.Report->BlankedCells += beyond;
+  const bool hasBlanking = context.HasBlanking() && !isBox;
+  return context.Whole ? Extractor<true>(context, dimensions, window, hasBlanking, mesh).Execute()
+                       : Extractor<false>(context, dimensions, window, hasBlanking, mesh).Execute();
 }
 
 }

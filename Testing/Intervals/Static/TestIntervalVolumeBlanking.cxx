@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Ghost, hidden and blanked cells, cells of hidden points, and cells with NaN or infinity are left
 // out and counted; everything else stays.
+#include "Common/DataDigest.h"
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Intervals/ReferenceExtraction.h"
 #include "Reference/Meshes/ReferenceField.h"
@@ -11,6 +12,7 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
+#include "vtkIntervalVolume.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStructuredGrid.h"
@@ -18,8 +20,12 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <random>
+#include <string>
 
 namespace
 {
@@ -126,6 +132,93 @@ void CheckBlankingCalls(Check& check)
   CheckBlanked(structured, 9, "vtkStructuredGrid, cell and point", check);
 }
 
+/// What comes out of a grid, to the last byte, and what the report says of its cells.
+std::string GetDigest(vtkDataSet* data, double unit, bool usesIndex, bool keepsWhole)
+{
+  vtkNew<vtkIntervalVolume> filter;
+  filter->SetInputData(data);
+  filter->GenerateBoundariesOn();
+  filter->SetKeepWholeCells(keepsWhole);
+  filter->SetUseValueIndex(usesIndex);
+  filter->WarnOnEmptyOutputOff();
+  // The index is built when the intervals change.
+  for (const double upper : { 0.6, 0.8 })
+  {
+    filter->SetInterval(0, 0.25 * unit, 0.5 * unit);
+    filter->SetInterval(1, 0.5 * unit, upper * unit);
+    filter->Update();
+  }
+  interlume::DataDigest digest;
+  for (int port = 0; port < 2; ++port)
+  {
+    auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(port));
+    digest.AddGrid(output);
+    for (int i = 0; i < output->GetPointData()->GetNumberOfArrays(); ++i)
+    {
+      digest.Add(output->GetPointData()->GetArray(i));
+    }
+    for (int i = 0; i < output->GetCellData()->GetNumberOfArrays(); ++i)
+    {
+      digest.Add(output->GetCellData()->GetArray(i));
+    }
+  }
+  const vtkExtractionReport& report = filter->GetReport();
+  return digest.Take() + ", cells " + std::to_string(report.Cells) + ", with output " +
+    std::to_string(report.CellsWithOutput) + ", blanked " + std::to_string(report.BlankedCells);
+}
+
+/// Where the cells that count are a box, as in a piece with a layer of ghost cells, the rest of the
+/// grid is not looked at, unless by an index of its values. That gives the same.
+void CheckBoxes(Check& check)
+{
+  constexpr int cells = 6;
+  std::minstd_rand random(11);
+  const auto draw = [&random](int end) { return static_cast<int>(random() % end); };
+  for (int number = 0; number < 200; ++number)
+  {
+    int first[3];
+    int last[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      first[axis] = draw(3) == 0 ? draw(cells) : draw(2);
+      last[axis] =
+        cells - (draw(3) == 0 ? draw(cells - first[axis]) : draw(std::min(2, cells - first[axis])));
+    }
+    auto image = MakeImage({ cells, cells, cells });
+    const bool isTied = number % 2 == 1;
+    isTied ? AddIntegerField(image, 4, number) : AddRandomField(image, number);
+    const double unit = isTied ? 4.0 : 1.0;
+    SetGhost(image->GetCellData(), cells * cells * cells, 0, 0);
+    vtkUnsignedCharArray* marks = image->GetCellGhostArray();
+    vtkNew<vtkDoubleArray> ids;
+    ids->SetName("Ids");
+    ids->SetNumberOfValues(marks->GetNumberOfValues());
+    std::iota(ids->GetPointer(0), ids->GetPointer(ids->GetNumberOfValues()), 0.0);
+    image->GetCellData()->AddArray(ids);
+    for (int c = 0; c < cells * cells * cells; ++c)
+    {
+      const int at[3] = { c % cells, c / cells % cells, c / cells / cells };
+      bool isWithin = true;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        isWithin = isWithin && at[axis] >= first[axis] && at[axis] < last[axis];
+      }
+      const auto mark = static_cast<unsigned char>(
+        draw(2) == 0 ? vtkDataSetAttributes::DUPLICATECELL : vtkDataSetAttributes::HIDDENCELL);
+      // One more that is blanked within is no box any more.
+      const bool isHole = number % 7 == 0 && draw(20) == 0;
+      marks->SetValue(c, isWithin && !isHole ? 0 : mark);
+    }
+    for (const bool keepsWhole : { false, true })
+    {
+      check.SetContext("box " + std::to_string(number) + (keepsWhole ? ", whole cells" : ""));
+      const std::string found = GetDigest(image, unit, false, keepsWhole);
+      const std::string expected = GetDigest(image, unit, true, keepsWhole);
+      check.That(found == expected, found + " for " + expected);
+    }
+  }
+}
+
 }
 
 int TestIntervalVolumeBlanking(int, char*[])
@@ -137,5 +230,6 @@ int TestIntervalVolumeBlanking(int, char*[])
     CheckNonFinite(form, check);
   }
   CheckBlankingCalls(check);
+  CheckBoxes(check);
   return check.Result();
 }
