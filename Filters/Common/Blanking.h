@@ -34,6 +34,11 @@ struct Blanking
   }
   /// Returns whether a cell does not count where duplicates of another piece's cells do.
   bool IsCellHidden(vtkIdType cell) const { return this->HasCell(cell, Hidden); }
+  /// Returns whether a cell is another piece's.
+  bool IsCellDuplicate(vtkIdType cell) const
+  {
+    return this->HasCell(cell, vtkDataSetAttributes::DUPLICATECELL);
+  }
   bool IsPointBlanked(vtkIdType point) const
   {
     return this->PointGhosts &&

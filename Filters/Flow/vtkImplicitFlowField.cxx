@@ -15,6 +15,7 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkDoubleArray.h"
 #include "vtkExtentTranslator.h"
 #include "vtkFlowCriticalPoints.h"
@@ -54,6 +55,12 @@ bool IsEnd(int type, bool isBackward)
   return isBackward
     ? type == vtkFlowCriticalPoints::SOURCE || type == vtkFlowCriticalPoints::SPIRAL_SOURCE
     : type == vtkFlowCriticalPoints::SINK || type == vtkFlowCriticalPoints::SPIRAL_SINK;
+}
+
+/// Returns the number of points of the whole field. \a ranks is null where it is not in parts.
+vtkIdType GetNumberOfPoints(vtkDataSet* field, interlume::RankField* ranks)
+{
+  return ranks ? ranks->GetNumberOfPoints() : field->GetNumberOfPoints();
 }
 }
 
@@ -292,7 +299,7 @@ int vtkImplicitFlowField::RequestUpdateExtent(
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* field = inputs[0]->GetInformationObject(0);
   std::string reason;
-  const bool isInParts = this->IsInParts(inputs, outputs, reason);
+  const bool isInParts = this->IsInParts(inputs, outputs, reason) && !this->IsObstacleKnown();
   // The pipeline splits the extent by the numbers of the piece.
   if (field->Has(Pipeline::WHOLE_EXTENT()))
   {
@@ -305,7 +312,8 @@ int vtkImplicitFlowField::RequestUpdateExtent(
     Pipeline::UPDATE_PIECE_NUMBER(), isInParts ? this->Controller->GetLocalProcessId() : 0);
   field->Set(
     Pipeline::UPDATE_NUMBER_OF_PIECES(), isInParts ? this->Controller->GetNumberOfProcesses() : 1);
-  field->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), isInParts ? std::max(1, levels) : 0);
+  const bool needsLayer = isInParts && field->Has(Pipeline::WHOLE_EXTENT());
+  field->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), needsLayer ? std::max(1, levels) : 0);
   if (inputs[1]->GetNumberOfInformationObjects() == 0)
   {
     return 1;
@@ -341,6 +349,8 @@ bool vtkImplicitFlowField::IsInParts(
   vtkInformation* field = inputs[0]->GetInformationObject(0);
   vtkDataObject* data = field->Get(vtkDataObject::DATA_OBJECT());
   const auto isPlacedByVectors = [](const auto& surface) { return surface->IsPlacedByVectors(); };
+  const bool hasRows = vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
+    vtkStructuredGrid::SafeDownCast(data);
   if (!interlume::RankExchange::IsPossible(this->Controller))
   {
     reason = "VTK has no DIY for these processes";
@@ -351,12 +361,15 @@ bool vtkImplicitFlowField::IsInParts(
   {
     reason = "the pieces that are asked for are not those of the processes";
   }
-  else if (!field->Has(Pipeline::WHOLE_EXTENT()) ||
-    !(vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
-      vtkStructuredGrid::SafeDownCast(data)) ||
-    !interlume::FieldPart::HasCells(field->Get(Pipeline::WHOLE_EXTENT())))
+  else if (!hasRows && !vtkUnstructuredGrid::SafeDownCast(data))
   {
-    reason = "it is no image, rectilinear or structured grid of three dimensions";
+    reason = "it has blocks";
+  }
+  else if (hasRows &&
+    !(field->Has(Pipeline::WHOLE_EXTENT()) &&
+      interlume::FieldPart::HasCells(field->Get(Pipeline::WHOLE_EXTENT()))))
+  {
+    reason = "it has no extent of three dimensions";
   }
   else if (this->CriticalPointSpheres || this->ShareStreamlines)
   {
@@ -371,7 +384,7 @@ bool vtkImplicitFlowField::IsInParts(
 }
 
 int vtkImplicitFlowField::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   const vtkIdType executions = this->Report.Executions;
   this->Report = vtkFlowReport();
@@ -391,17 +404,30 @@ int vtkImplicitFlowField::RequestData(
   std::string reason;
   std::unique_ptr<interlume::RankField> ranks;
   vtkDataSet* data = field;
-  if (this->IsInParts(inputs, outputs, reason))
+  const bool isInParts = this->IsInParts(inputs, outputs, reason);
+  if (isInParts && this->IsAskedForWhole(request, reason))
   {
+    return 1;
+  }
+  if (isInParts && reason.empty())
+  {
+    vtkInformation* info = inputs[0]->GetInformationObject(0);
+    const bool hasRows = !vtkUnstructuredGrid::SafeDownCast(field);
     ranks = std::make_unique<interlume::RankField>(this->Controller,
-      inputs[0]->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()));
-    const std::string lack = ranks->SetData(field);
+      hasRows ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()) : nullptr);
+    const std::string lack = ranks->SetData(field, interlume::SampleGrid::MostPoints);
     if (!lack.empty())
     {
       vtkErrorMacro(<< lack);
       return 1;
     }
+    if (!ranks->GetObstacle().empty())
+    {
+      this->AskForWhole(request, ranks->GetObstacle());
+      return 1;
+    }
     field = ranks->GetWhole();
+    data = ranks->GetData();
   }
   if (!field || field->GetNumberOfPoints() == 0)
   {
@@ -416,7 +442,7 @@ int vtkImplicitFlowField::RequestData(
   interlume::AdvectionOptions options(*this);
   const bool isSampled = this->SampleMode == SAMPLES_OF_IMAGE ||
     (this->SampleMode == SAMPLES_AUTOMATIC &&
-      field->GetNumberOfPoints() > interlume::SampleGrid::MostPoints);
+      GetNumberOfPoints(field, ranks.get()) > interlume::SampleGrid::MostPoints);
   options.SamplingChecks = isSampled ? this->SamplingChecks : 0;
   vtkSmartPointer<vtkDataSet> samples = output;
   if (this->RefinementLevels > 0)
@@ -464,6 +490,13 @@ int vtkImplicitFlowField::RequestData(
       run.SetCheckpoint(checkpoint.get());
     }
     error = run.Execute(samples);
+    if (ranks && !ranks->GetObstacle().empty())
+    {
+      output->Initialize();
+      this->UsedSurfaces.clear();
+      this->AskForWhole(request, ranks->GetObstacle());
+      return 1;
+    }
     report = run.GetReport();
     report.WholeFieldReason = reason;
     isAborted = isAborted || run.WasAborted();
@@ -491,6 +524,47 @@ int vtkImplicitFlowField::RequestData(
   this->Report.Executions = executions + 1;
   this->Finish(outputs->GetInformationObject(0), output);
   return 1;
+}
+
+bool vtkImplicitFlowField::IsObstacleKnown()
+{
+  return this->IsAskingAgain ||
+    (!this->Obstacle.empty() && this->ObstacleTime == this->GetInputTime());
+}
+
+vtkMTimeType vtkImplicitFlowField::GetInputTime()
+{
+  auto* executive = vtkDemandDrivenPipeline::SafeDownCast(this->GetInputExecutive(0, 0));
+  return executive ? executive->GetPipelineMTime() : 0;
+}
+
+bool vtkImplicitFlowField::IsAskedForWhole(vtkInformation* request, std::string& reason)
+{
+  request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
+  if (this->IsAskingAgain)
+  {
+    this->IsAskingAgain = false;
+    reason = this->Obstacle;
+    return false;
+  }
+  // A process where the input has changed does not know of the obstacle any more.
+  const bool isKnown = this->IsObstacleKnown();
+  interlume::RankExchange exchange(this->Controller);
+  reason = exchange.FindFirst(isKnown ? this->Obstacle : std::string());
+  if (!reason.empty() && !isKnown)
+  {
+    this->AskForWhole(request, reason);
+    return true;
+  }
+  return false;
+}
+
+void vtkImplicitFlowField::AskForWhole(vtkInformation* request, const std::string& obstacle)
+{
+  this->Obstacle = obstacle;
+  this->ObstacleTime = this->GetInputTime();
+  this->IsAskingAgain = true;
+  request->Set(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING(), 1);
 }
 
 std::unique_ptr<interlume::FlowCheckpoint> vtkImplicitFlowField::OpenCheckpoint(
@@ -606,6 +680,7 @@ bool vtkImplicitFlowField::SetSamples(const interlume::FieldInput& input, vtkDat
   }
   vtkSmartPointer<vtkDataSet> samples;
   const int* whole = nullptr;
+  bool isPiece = this->SampleMode == SAMPLES_OF_INPUT;
   if (this->SampleMode == SAMPLES_OF_INPUT)
   {
     samples = vtkDataSet::GetData(inputs[1]);
@@ -619,7 +694,7 @@ bool vtkImplicitFlowField::SetSamples(const interlume::FieldInput& input, vtkDat
   {
     const bool mayBeFewer = this->SampleMode == SAMPLES_AUTOMATIC;
     const bool areFewer =
-      mayBeFewer && field->GetNumberOfPoints() > interlume::SampleGrid::MostPoints;
+      mayBeFewer && GetNumberOfPoints(field, ranks) > interlume::SampleGrid::MostPoints;
     vtkSmartPointer<vtkDataSet> points = field;
     if (areFewer)
     {
@@ -631,11 +706,12 @@ bool vtkImplicitFlowField::SetSamples(const interlume::FieldInput& input, vtkDat
     {
       points = ranks->GetData();
       whole = ranks->GetPart().WholeExtent;
+      isPiece = vtkUnstructuredGrid::SafeDownCast(points) != nullptr;
     }
     samples = input.MakeSamples(points);
   }
   output->ShallowCopy(samples);
-  if (this->SampleMode != SAMPLES_OF_INPUT)
+  if (!isPiece)
   {
     this->CutPiece(outputs->GetInformationObject(0), whole, output);
   }

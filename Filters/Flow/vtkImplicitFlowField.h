@@ -84,13 +84,22 @@ struct AdvectionOptions;
  * **Pieces.** A sample needs all of the field that its streamline meets: of port 0 the whole is
  * asked for, whatever the piece; samples are those of the piece.
  *
- * **Processes.** Where each process of the controller is asked for its own piece, an image, a
- * rectilinear or a structured grid stays in parts: each process asks for its cells and a layer
- * around them, and streamlines go from process to process (VTK's DIY). Answers have the bytes that
- * one process gives them. All processes have to execute at once; an abort in one ends all. Each
- * holds the whole field, and the report says why, for unstructured grids and blocks; with
- * CriticalPointSpheres, ShareStreamlines, or a surface that is placed by the vectors; and where VTK
- * has no DIY.
+ * **Processes.** Where each process of the controller is asked for its own piece, a field that is
+ * one grid stays in parts: each process asks for its piece, of rows of cells with a layer around
+ * it, and streamlines go from process to process (VTK's DIY). Answers have the bytes that one
+ * process gives them. All processes have to execute at once; an abort in one ends all. Each holds
+ * the whole field, and the report says why, for blocks; with CriticalPointSpheres,
+ * ShareStreamlines, or a surface that is placed by the vectors; and where VTK has no DIY.
+ *
+ * Of an unstructured grid the parts are the pieces that the source gives, without duplicates of
+ * others' cells, and samples at its points are those of the piece. One process is one that has all
+ * pieces as one grid: cells in the order of the pieces, and points of several pieces that have the
+ * same coordinates, to the last bit, once. The order matters where cells lie within each other, for
+ * the numbers of patches (DomainFaces), and for the points that are added to refined cells other
+ * than tetrahedra. Each process holds the whole where the source gives all cells to one process, or
+ * the same ones to several, and where faces do not fit between pieces, as of tetrahedra that a
+ * filter has made in each by itself. This is seen once the pieces are there: the input executes for
+ * them, then for the whole, and for that alone until it is modified.
  *
  * **Checkpoints.** With CheckpointFileName the streamlines that have ended are written to a file
  * while others are followed, and at an abort. An execution that finds the file follows the others
@@ -448,6 +457,17 @@ private:
   /// there are several, \a reason says why.
   bool IsInParts(
     vtkInformationVector** inputs, vtkInformationVector* outputs, std::string& reason) const;
+  ///@{
+  /// What stands against parts may be seen from the parts alone. Then the pipeline asks for the
+  /// whole field and executes again (AskForWhole), and does so at once as long as the input is not
+  /// modified (IsObstacleKnown). IsAskedForWhole returns whether this process has to ask, as
+  /// another one has the whole; otherwise \a reason is why the whole field is there, or nothing.
+  /// Collective but for the second time.
+  bool IsObstacleKnown();
+  vtkMTimeType GetInputTime();
+  bool IsAskedForWhole(vtkInformation* request, std::string& reason);
+  void AskForWhole(vtkInformation* request, const std::string& obstacle);
+  ///@}
   /// Gives \a output the samples' geometry and point data. \a ranks is null where the field is
   /// whole.
   bool SetSamples(const interlume::FieldInput& input, vtkDataSet* field,
@@ -484,6 +504,11 @@ private:
   std::string CheckpointFileName;
   double CheckpointInterval = 60.0;
   vtkFlowReport Report;
+  /// Why the field could not be in parts, when the input was modified then, and whether the whole
+  /// is asked for after the parts.
+  std::string Obstacle;
+  vtkMTimeType ObstacleTime = 0;
+  bool IsAskingAgain = false;
   /// What was found of the last field's mesh, for the next execution.
   std::shared_ptr<const interlume::MeshLinks> Mesh;
 };

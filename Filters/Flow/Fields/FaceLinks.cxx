@@ -118,14 +118,6 @@ void Match(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
     });
 }
 
-void MatchAny(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
-  vtkIdType numberOfPoints, const SetLink& setLink)
-{
-  constexpr vtkIdType most = 0x7fffffff;
-  auto* match = numberOfPoints < most ? &Match<unsigned int> : &Match<vtkIdType>;
-  match(numberOfBlocks, facesPerBlock, fill, numberOfPoints, setLink);
-}
-
 /// The place of a face, by its coordinates.
 struct Place
 {
@@ -331,11 +323,19 @@ private:
 
 }
 
+void FaceLinks::FindByPoints(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
+  vtkIdType numberOfPoints, const SetLink& setLink)
+{
+  constexpr vtkIdType most = 0x7fffffff;
+  auto* match = numberOfPoints < most ? &Match<unsigned int> : &Match<vtkIdType>;
+  match(numberOfBlocks, facesPerBlock, fill, numberOfPoints, setLink);
+}
+
 FaceLinks::Joins FaceLinks::Find(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
   const CellPoints& cells, const ArrayRows& positions, const SetLink& setLink)
 {
   std::vector<unsigned char> isLinked(numberOfBlocks * facesPerBlock, 0);
-  MatchAny(numberOfBlocks, facesPerBlock, fill, positions.GetNumber(),
+  FindByPoints(numberOfBlocks, facesPerBlock, fill, positions.GetNumber(),
     [&](vtkIdType face, const Link& link)
     {
       isLinked[face] = 1;

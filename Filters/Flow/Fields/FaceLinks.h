@@ -77,6 +77,10 @@ public:
   static Joins Find(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
     const CellPoints& cells, const ArrayRows& positions, const SetLink& setLink);
 
+  /// Finds the links between faces that have the same points, by their ids, alone.
+  static void FindByPoints(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
+    vtkIdType numberOfPoints, const SetLink& setLink);
+
   /// Returns the largest distance at which corners are the same, for the width of a cell, the
   /// largest coordinate, and what rounding may have done to it.
   static double GetTolerance(double width, double largest, double rounding)

@@ -2,6 +2,8 @@
 #ifndef interlume_FieldPart_h
 #define interlume_FieldPart_h
 
+#include "vtkType.h"
+
 class vtkDataSet;
 
 namespace interlume
@@ -9,10 +11,11 @@ namespace interlume
 
 /**
  * @class   FieldPart
- * @brief   the part of a grid of rows that a process holds, by extents of the whole grid's points
+ * @brief   the part of a grid that a process holds
  *
- * Each cell of the grid is one process's own. Held is what data there are: the own cells with all
- * of their neighbours, of corners too.
+ * Each cell of the grid is one process's own. Of grids of rows the parts are extents of the whole
+ * grid's points, and Held is what data there are: the own cells with all of their neighbours, of
+ * corners too. Of unstructured grids the data are the own cells alone.
  */
 struct FieldPart
 {
@@ -21,6 +24,9 @@ struct FieldPart
   int WholeExtent[6] = { 0, -1, 0, -1, 0, -1 };
   int Own[6] = { 0, -1, 0, -1, 0, -1 };
   int Held[6] = { 0, -1, 0, -1, 0, -1 };
+  /// The numbers of the first own cell of an unstructured grid in the whole, and behind the last.
+  vtkIdType FirstCell = 0;
+  vtkIdType EndCell = 0;
 
   /// Returns whether an extent of points has cells of three dimensions.
   static bool HasCells(const int extent[6])

@@ -97,6 +97,8 @@ protected:
     vtkDataSet* data, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays);
   /// Finds the excluded cells.
   void SetBlanking(vtkDataSet* data, const CellPoints& cells);
+  /// Replaces the number of flat cells by that of a whole that the dataset is a part of.
+  void SetNumberOfFlatCells(vtkIdType number) { this->NumberOfFlatCells = number; }
   /// Leaves out a cell of fewer dimensions.
   void ExcludeFlat(vtkIdType cell);
   /// Finds the largest speed and the vectors that are not finite. \a hasOtherPoints tells whether

@@ -55,6 +55,12 @@ public:
   std::vector<vtkIdType> Links;
   FaceLinks::Joins Joins;
 
+  /// Returns that number, for face \a face of a cell.
+  static vtkIdType GetLink(vtkIdType cell, int face, const FaceLinks::Link& link)
+  {
+    return 64 * cell + 8 * face + 2 * link.Start + (link.IsReversed ? 1 : 0);
+  }
+
 private:
   mutable std::once_flag OpenOnce;
   mutable std::pair<vtkIdType, vtkIdType> Open{ 0, -1 };

@@ -2,7 +2,6 @@
 #include "Fields/UnstructuredFlowField.h"
 
 #include "Cells/MultilinearCell.h"
-#include "Fields/CellPositions.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
@@ -26,28 +25,11 @@ std::string UnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataArray
   {
     return GetErrorWithoutCells();
   }
-  std::string error = this->SetArrays(grid, vectors, arrays);
+  std::string error = this->BuildCells(grid, vectors, arrays);
   if (!error.empty())
   {
     return error;
   }
-  this->Offsets.Build(grid->GetCells()->GetOffsetsArray());
-  this->PointIds.Build(grid->GetCells()->GetConnectivityArray());
-  this->TypeArray = GridCells::GetTypes(grid);
-  this->Types = this->TypeArray->GetPointer(0);
-  this->Positions.Build(grid->GetPoints()->GetData());
-  const auto getPoints = [this](vtkIdType cell, vtkIdType* ids)
-  {
-    const vtkIdType first = this->Offsets.Get(cell);
-    const vtkIdType number = std::min<vtkIdType>(this->Offsets.Get(cell + 1) - first, 8);
-    for (vtkIdType v = 0; v < number; ++v)
-    {
-      ids[v] = this->PointIds.Get(first + v);
-    }
-    return static_cast<int>(number);
-  };
-  this->SetBlanking(grid, getPoints);
-  this->ExcludeFlatCells();
   // What is kept of a mesh was found without an error.
   const MeshLinks::Key key = MeshLinks::GetKey(grid);
   const std::shared_ptr<const MeshLinks> kept = MeshLinks::Find(key);
@@ -57,14 +39,15 @@ std::string UnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataArray
   }
   else if (!kept)
   {
-    error = this->FindCellError();
+    error = this->FindCellError(0);
   }
   if (!error.empty() || !progress.Reach(0.1))
   {
     return error;
   }
   this->FindOnlyType();
-  this->Measure(getPoints, true);
+  this->Measure(
+    [this](vtkIdType cell, vtkIdType* ids) { return this->GetStoredPoints(cell, ids); }, true);
   if (!progress.Reach(0.2))
   {
     return {};
@@ -81,20 +64,55 @@ std::string UnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataArray
     return {};
   }
   const auto mesh = std::make_shared<MeshLinks>();
-  const CellPositions positions(this->Positions,
-    [this](vtkIdType cell, vtkIdType* ids) { return this->GetCellPoints(cell, ids); });
+  const CellPositions positions = this->GetCellPositions();
   error = positions.FindError(this->GetNumberOfCells());
   if (error.empty() && progress.Reach(0.3))
   {
     positions.Build(this->GetNumberOfCells(), mesh->Tree);
     if (progress.Reach(0.6))
     {
-      this->FindLinks(*mesh);
+      this->FindLinks(*mesh, true);
       MeshLinks::Add(key, mesh);
     }
   }
   this->Use(mesh);
   return error;
+}
+
+std::string UnstructuredFlowField::BuildCells(
+  vtkUnstructuredGrid* grid, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays)
+{
+  const std::string error = this->SetArrays(grid, vectors, arrays);
+  if (!error.empty())
+  {
+    return error;
+  }
+  this->Offsets.Build(grid->GetCells()->GetOffsetsArray());
+  this->PointIds.Build(grid->GetCells()->GetConnectivityArray());
+  this->TypeArray = GridCells::GetTypes(grid);
+  this->Types = this->TypeArray->GetPointer(0);
+  this->Positions.Build(grid->GetPoints()->GetData());
+  this->SetBlanking(
+    grid, [this](vtkIdType cell, vtkIdType* ids) { return this->GetStoredPoints(cell, ids); });
+  this->ExcludeFlatCells();
+  return {};
+}
+
+int UnstructuredFlowField::GetStoredPoints(vtkIdType cell, vtkIdType* points) const
+{
+  const vtkIdType first = this->Offsets.Get(cell);
+  const vtkIdType number = std::min<vtkIdType>(this->Offsets.Get(cell + 1) - first, 8);
+  for (vtkIdType v = 0; v < number; ++v)
+  {
+    points[v] = this->PointIds.Get(first + v);
+  }
+  return static_cast<int>(number);
+}
+
+CellPositions UnstructuredFlowField::GetCellPositions() const
+{
+  return CellPositions(this->Positions,
+    [this](vtkIdType cell, vtkIdType* ids) { return this->GetCellPoints(cell, ids); });
 }
 
 void UnstructuredFlowField::ExcludeFlatCells()
@@ -125,7 +143,7 @@ void UnstructuredFlowField::FindOnlyType()
   this->OnlySize = isOnly ? size : 0;
 }
 
-std::string UnstructuredFlowField::FindCellError() const
+std::string UnstructuredFlowField::FindCellError(vtkIdType first) const
 {
   for (vtkIdType cell = 0; cell < this->GetNumberOfCells(); ++cell)
   {
@@ -135,7 +153,7 @@ std::string UnstructuredFlowField::FindCellError() const
     {
       continue;
     }
-    const std::string which = "cell " + std::to_string(cell) + " is a " +
+    const std::string which = "cell " + std::to_string(first + cell) + " is a " +
       GridCells::GetClassName(this->Types[cell]) + " (type " + std::to_string(this->Types[cell]) +
       ")";
     return wanted == 0 ? which + "; a field has tetrahedra, voxels, hexahedra, wedges and pyramids"
@@ -188,7 +206,7 @@ std::vector<vtkIdType> UnstructuredFlowField::GetOuterFaces() const
       : 0;
     for (int face = 0; face < number; ++face)
     {
-      if (this->Links[cell * this->FacesPerCell + face] < 0)
+      if (this->GetLink(cell, face) == -1)
       {
         faces.push_back(8 * cell + face);
       }
@@ -220,23 +238,29 @@ int UnstructuredFlowField::FindFacesPerCell() const
   return most;
 }
 
-void UnstructuredFlowField::FindLinks(MeshLinks& mesh) const
+void UnstructuredFlowField::FindLinks(MeshLinks& mesh, bool byCoordinates) const
 {
   const int facesPerCell = this->FindFacesPerCell();
   mesh.FacesPerCell = facesPerCell;
   mesh.Links.assign(this->GetNumberOfCells() * facesPerCell, -1);
+  const auto fill = [this](vtkIdType cell, FaceLinks::Block& faces)
+  { this->FillFaces(cell, faces); };
+  const auto set = [&mesh, facesPerCell](vtkIdType face, const FaceLinks::Link& link)
+  {
+    mesh.Links[face] = MeshLinks::GetLink(
+      link.Face / facesPerCell, static_cast<int>(link.Face % facesPerCell), link);
+  };
+  if (!byCoordinates)
+  {
+    FaceLinks::FindByPoints(
+      this->GetNumberOfCells(), facesPerCell, fill, this->Positions.GetNumber(), set);
+    return;
+  }
   mesh.Joins = FaceLinks::Find(
-    this->GetNumberOfCells(), facesPerCell,
-    [this](vtkIdType cell, FaceLinks::Block& faces) { this->FillFaces(cell, faces); },
+    this->GetNumberOfCells(), facesPerCell, fill,
     [this, facesPerCell](vtkIdType face, vtkIdType* points)
     { return this->GetCellPoints(face / facesPerCell, points); },
-    this->Positions,
-    [&mesh, facesPerCell](vtkIdType face, const FaceLinks::Link& link)
-    {
-      const vtkIdType cell = link.Face / facesPerCell;
-      const vtkIdType number = link.Face % facesPerCell;
-      mesh.Links[face] = 64 * cell + 8 * number + 2 * link.Start + (link.IsReversed ? 1 : 0);
-    });
+    this->Positions, set);
 }
 
 }

@@ -5,6 +5,7 @@
 #include "Cells/CellShape.h"
 #include "Common/GridCells.h"
 #include "Common/StoredIds.h"
+#include "Fields/CellPositions.h"
 #include "Fields/FaceLinks.h"
 #include "Fields/FlowField.h"
 #include "Fields/MeshLinks.h"
@@ -108,42 +109,71 @@ public:
   /// Prefetches the neighbour's list of points in round 0, their positions and vectors in round 1.
   void Prefetch(const Place& place, int face, int round) const
   {
-    const vtkIdType link = this->Links[place.Cell * this->FacesPerCell + face];
-    if (link < 0)
+    const vtkIdType link = this->GetLink(place.Cell, face);
+    if (link >= 0)
     {
-      return;
+      this->PrefetchCell(this->GetPlace(link >> 6), round);
     }
-    const Place neighbor = this->GetPlace(link >> 6);
-    if (round == 0)
-    {
-      this->PointIds.Prefetch(
-        neighbor.First, neighbor.First + GetCorners(neighbor.Type).Number - 1);
-      return;
-    }
-    this->ForEachCorner(neighbor,
-      [this](int, vtkIdType point)
-      {
-        this->Positions.Prefetch<3>(point);
-        this->PrefetchVector(point);
-      });
-    interlume::Prefetch::Read(this->Links + neighbor.Cell * this->FacesPerCell);
   }
 
   /// Crosses a face into the neighbour. Returns false, and changes nothing, where there is none.
   bool Cross(Place& place, int face, double p[3]) const
   {
-    const vtkIdType link = this->Links[place.Cell * this->FacesPerCell + face];
+    const vtkIdType link = this->GetLink(place.Cell, face);
     if (link < 0)
     {
       return false;
     }
+    this->CrossTo(this->GetPlace(link >> 6), link, place, face, p);
+    return true;
+  }
+
+protected:
+  /// Takes the arrays, the cells and what is hidden. Returns what is wrong with the arrays.
+  std::string BuildCells(
+    vtkUnstructuredGrid* grid, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays);
+  /// Returns what is wrong with the first cell that is; \a first is the number of the first one.
+  std::string FindCellError(vtkIdType first) const;
+  void FindOnlyType();
+  CellPositions GetCellPositions() const;
+  /// Gives at most eight points of a cell in the order of its type, and returns how many.
+  int GetStoredPoints(vtkIdType cell, vtkIdType* points) const;
+  /// Finds the links between faces of the same points and, where asked for, of the same
+  /// coordinates.
+  void FindLinks(MeshLinks& mesh, bool byCoordinates) const;
+  /// Refers to what was found of the mesh.
+  void Use(const std::shared_ptr<const MeshLinks>& mesh);
+
+  /// Returns what MeshLinks has of a face.
+  vtkIdType GetLink(vtkIdType cell, int face) const
+  {
+    return this->Links[cell * this->FacesPerCell + face];
+  }
+  /// Prefetches what is in a cell, which has its place among all that are held.
+  void PrefetchCell(const Place& cell, int round) const
+  {
+    if (round == 0)
+    {
+      this->PointIds.Prefetch(cell.First, cell.First + GetCorners(cell.Type).Number - 1);
+      return;
+    }
+    this->ForEachCorner(cell,
+      [this](int, vtkIdType point)
+      {
+        this->Positions.Prefetch<3>(point);
+        this->PrefetchVector(point);
+      });
+    interlume::Prefetch::Read(this->Links + cell.Cell * this->FacesPerCell);
+  }
+  /// Goes over a face to the cell that a link leads to, of which its type is known.
+  void CrossTo(const Place& next, vtkIdType link, Place& place, int face, double p[3]) const
+  {
     const CellShape::Face& from = CellShape::Of(this->GetShape(place)).Faces[face];
     double uv[2];
     from.GetParameters(p, uv);
     FaceLinks::Map(from.NumberOfCorners, link >> 1 & 3, link & 1, uv);
-    place = this->GetPlace(link >> 6);
+    place = next;
     CellShape::Of(this->GetShape(place)).Faces[link >> 3 & 7].GetPlace(uv, p);
-    return true;
   }
 
 private:
@@ -178,13 +208,9 @@ private:
   }
 
   void ExcludeFlatCells();
-  void FindOnlyType();
-  std::string FindCellError() const;
   int GetCellPoints(vtkIdType cell, vtkIdType* points) const;
   void FillFaces(vtkIdType cell, FaceLinks::Block& faces) const;
   int FindFacesPerCell() const;
-  void FindLinks(MeshLinks& mesh) const;
-  void Use(const std::shared_ptr<const MeshLinks>& mesh);
 
   ArrayRows Positions;
   StoredIds Offsets;

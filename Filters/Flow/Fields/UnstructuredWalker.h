@@ -10,16 +10,19 @@ namespace interlume
 {
 
 /**
- * @class   UnstructuredWalker
+ * @class   UnstructuredWalkerOf
  * @brief   the walker of unstructured grids: neighbours by the points that faces share
  *
  * The place on a face is carried over exactly, by the face's own coordinates. Domain faces are the
  * patches of the boundary.
+ *
+ * \a FieldType is UnstructuredFlowField, or derived from it.
  */
-class UnstructuredWalker : public IsoparametricWalker<UnstructuredFlowField>
+template <typename FieldType>
+class UnstructuredWalkerOf : public IsoparametricWalker<FieldType>
 {
 public:
-  using IsoparametricWalker::IsoparametricWalker;
+  using IsoparametricWalker<FieldType>::IsoparametricWalker;
 
   void Prefetch(int face, int round) const { this->Shared->Prefetch(this->Stand, face, round); }
 
@@ -39,6 +42,8 @@ public:
 private:
   const BoundaryPatches* Patches = nullptr;
 };
+
+using UnstructuredWalker = UnstructuredWalkerOf<UnstructuredFlowField>;
 
 }
 

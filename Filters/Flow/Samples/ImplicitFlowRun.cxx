@@ -199,7 +199,9 @@ void ImplicitFlowRun::ReplaceAutomatic(double speed)
   replace(this->Options.MaximumError, std::max(AutomaticError * speed, least));
   replace(this->Options.MinimumSpeed, std::max(AutomaticSpeed * speed, least));
   replace(this->Options.MaximumTime, VTK_DOUBLE_MAX);
-  replace(this->Options.MaximumNumberOfSteps, GetAutomaticSteps(this->Field->GetNumberOfCells()));
+  const vtkIdType cells =
+    this->Ranks ? this->Ranks->GetNumberOfCells() : this->Field->GetNumberOfCells();
+  replace(this->Options.MaximumNumberOfSteps, GetAutomaticSteps(cells));
 }
 
 std::string ImplicitFlowRun::FindArrays(std::vector<vtkDataArray*>& means) const
@@ -286,7 +288,8 @@ std::string ImplicitFlowRun::ExecuteInRanks(
   }
   this->Describe(streamlines->GetField());
   streamlines->Describe(this->Report);
-  this->FollowAll(*streamlines, samples, 6);
+  const int domainFaces = this->Options.DomainFaces ? streamlines->FindDomainFaces() : 0;
+  this->FollowAll(*streamlines, samples, domainFaces);
   RankExchange& exchange = this->Ranks->GetExchange();
   std::vector<vtkIdType> steps(static_cast<std::size_t>(exchange.GetNumberOfRanks()), 0);
   steps[static_cast<std::size_t>(exchange.GetRank())] = streamlines->GetNumberOfSteps();

@@ -12,6 +12,7 @@
 #include "vtkRectilinearGrid.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <array>
@@ -125,6 +126,10 @@ void ShareArrays(RankField& field, const Rows& rows, vtkDataSet* samples)
 
 vtkSmartPointer<vtkDataSet> RankSamples::Make(RankField& field)
 {
+  if (vtkUnstructuredGrid::SafeDownCast(field.GetData()))
+  {
+    return SampleGrid::MakeVoxels(field.GetWhole()->GetBounds());
+  }
   vtkSmartPointer<vtkDataSet> samples = SampleGrid::Make(field.GetWhole());
   const Rows rows = FindRows(field, SampleGrid::GetPlaces(field.GetPart().WholeExtent));
   if (vtkStructuredGrid* data = vtkStructuredGrid::SafeDownCast(field.GetData()))

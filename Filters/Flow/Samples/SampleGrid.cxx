@@ -160,11 +160,38 @@ vtkSmartPointer<vtkDataSet> ThinGrid(vtkDataSet* field, const int before[6], con
   CopyPointData(field, ids, samples);
   return samples;
 }
+}
 
-vtkSmartPointer<vtkDataSet> MakeVoxels(vtkDataSet* field)
+void SampleGrid::GetExtent(const int field[6], int samples[6])
 {
-  double bounds[6];
-  field->GetBounds(bounds);
+  std::copy_n(field, 6, samples);
+  const Size points = GetSize(field);
+  if (GetNumber(points) <= MostPoints)
+  {
+    return;
+  }
+  const Size strides = GetStrides(points);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    samples[2 * axis] = 0;
+    samples[2 * axis + 1] = static_cast<int>(GetRow(points[axis], strides[axis]).size()) - 1;
+  }
+}
+
+std::array<std::vector<vtkIdType>, 3> SampleGrid::GetPlaces(const int field[6])
+{
+  const Size points = GetSize(field);
+  const Size strides = GetStrides(points);
+  std::array<std::vector<vtkIdType>, 3> places;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    places[axis] = GetRow(points[axis], strides[axis]);
+  }
+  return places;
+}
+
+vtkSmartPointer<vtkDataSet> SampleGrid::MakeVoxels(const double bounds[6])
+{
   double longest = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -178,7 +205,7 @@ vtkSmartPointer<vtkDataSet> MakeVoxels(vtkDataSet* field)
     lengths[axis] = std::max(bounds[2 * axis + 1] - bounds[2 * axis], 1e-3 * longest);
     volume *= lengths[axis];
   }
-  const double edge = std::cbrt(volume / static_cast<double>(SampleGrid::MostPoints));
+  const double edge = std::cbrt(volume / static_cast<double>(MostPoints));
   Size size{ { 2, 2, 2 } };
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -218,35 +245,6 @@ vtkSmartPointer<vtkDataSet> MakeVoxels(vtkDataSet* field)
   grid->SetCells(VTK_VOXEL, cells);
   return grid;
 }
-}
-
-void SampleGrid::GetExtent(const int field[6], int samples[6])
-{
-  std::copy_n(field, 6, samples);
-  const Size points = GetSize(field);
-  if (GetNumber(points) <= MostPoints)
-  {
-    return;
-  }
-  const Size strides = GetStrides(points);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    samples[2 * axis] = 0;
-    samples[2 * axis + 1] = static_cast<int>(GetRow(points[axis], strides[axis]).size()) - 1;
-  }
-}
-
-std::array<std::vector<vtkIdType>, 3> SampleGrid::GetPlaces(const int field[6])
-{
-  const Size points = GetSize(field);
-  const Size strides = GetStrides(points);
-  std::array<std::vector<vtkIdType>, 3> places;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    places[axis] = GetRow(points[axis], strides[axis]);
-  }
-  return places;
-}
 
 vtkSmartPointer<vtkDataSet> SampleGrid::Make(vtkDataSet* field)
 {
@@ -269,7 +267,7 @@ vtkSmartPointer<vtkDataSet> SampleGrid::Make(vtkDataSet* field)
   }
   else
   {
-    return MakeVoxels(field);
+    return MakeVoxels(field->GetBounds());
   }
   int extent[6];
   GetExtent(before, extent);

@@ -35,6 +35,9 @@ public:
   /// Returns the places of the samples in the rows of points along each direction, from 0.
   static std::array<std::vector<vtkIdType>, 3> GetPlaces(const int field[6]);
 
+  /// Makes the samples of an unstructured grid of many points with these bounds.
+  static vtkSmartPointer<vtkDataSet> MakeVoxels(const double bounds[6]);
+
   /// Makes the samples; returns \a field itself where it has few points.
   static vtkSmartPointer<vtkDataSet> Make(vtkDataSet* field);
 };

@@ -7,6 +7,7 @@
 #include "Fields/LatticeWalker.h"
 #include "Fields/RectilinearFlowField.h"
 #include "Fields/SpeedScale.h"
+#include "Streams/RankField.h"
 
 #include <algorithm>
 #include <string>
@@ -37,7 +38,7 @@ public:
   /// SetSpeeds.
   template <typename Data>
   std::string BuildPart(Data* data, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays,
-    const FieldPart& part, SpeedCount& speeds)
+    const FieldPart& part)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -45,15 +46,21 @@ public:
       this->First[axis] = part.Own[2 * axis] - whole;
       this->Last[axis] = part.Own[2 * axis + 1] - whole - 1;
     }
-    std::string error = Whole::Build(data, vectors, arrays, {}, &part);
-    if (error.empty())
-    {
-      speeds = this->CountHeldSpeeds([this](const int index[3]) { return this->IsOwn(index); });
-    }
-    return error;
+    return Whole::Build(data, vectors, arrays, {}, &part);
+  }
+  /// Counts the speeds in points such that all processes together count each once.
+  SpeedCount CountOwnSpeeds() const
+  {
+    return this->CountHeldSpeeds([this](const int index[3]) { return this->IsOwn(index); });
   }
   /// Takes the speeds of all parts.
   using Whole::SetSpeeds;
+
+  /// Returns the process whose own a cell is.
+  int FindRank(const RankField& ranks, vtkIdType cell) const
+  {
+    return ranks.FindRank(this->GetPlace(cell).Index);
+  }
 
   /// Returns whether the cell is the process's own.
   bool IsHere(const Place& place) const

@@ -3,9 +3,14 @@
 #define interlume_PartSearch_h
 
 #include "Cells/CellFinding.h"
+#include "Cells/CellShape.h"
+#include "Cells/Trilinear.h"
 #include "Streams/RankField.h"
 
+#include "vtkBoundingBox.h"
+
 #include <cstddef>
+#include <cstdint>
 #include <unordered_map>
 #include <vector>
 
@@ -59,7 +64,7 @@ public:
     {
       if (walker.Search(x, finding))
       {
-        finding.Order = this->Shared.GetOrder(walker.GetPlace());
+        finding.Order = this->GetOrder(walker.GetPlace());
         walker.GoTo(finding.Cell);
       }
     }
@@ -101,6 +106,21 @@ public:
   }
 
 private:
+  /// Returns the place of a cell in the order of the trees.
+  std::uint64_t GetOrder(const typename Field::Place& place) const
+  {
+    Trilinear points;
+    this->Shared.GetPoints(place, points);
+    vtkBoundingBox box;
+    for (int i = 0; i < CellShape::Of(this->Shared.GetShape(place)).NumberOfCorners; ++i)
+    {
+      box.AddPoint(points.C[i]);
+    }
+    double bounds[6];
+    box.GetBounds(bounds);
+    return this->Shared.GetTree().GetOrder(bounds);
+  }
+
   const Field& Shared;
   const RankField& Ranks;
   std::unordered_map<vtkIdType, Best> Expected;

@@ -8,6 +8,8 @@
 #include "vtkDIYUtilities.h"
 #endif
 
+#include <numeric>
+
 namespace interlume
 {
 
@@ -63,6 +65,25 @@ bool RankExchange::IsAnywhere(bool here)
   std::vector<vtkIdType> number{ here ? 1 : 0 };
   this->Add(number);
   return number[0] > 0;
+}
+
+std::vector<RankExchange::Bytes> RankExchange::Gather(const Bytes& own)
+{
+  const auto ranks = static_cast<std::size_t>(this->NumberOfRanks);
+  std::vector<vtkIdType> sizes(ranks, 0);
+  sizes[static_cast<std::size_t>(this->Rank)] = static_cast<vtkIdType>(own.size());
+  this->Add(sizes);
+  std::vector<vtkIdType> places(ranks + 1, 0);
+  std::partial_sum(sizes.begin(), sizes.end(), places.begin() + 1);
+  Bytes all(static_cast<std::size_t>(places.back()));
+  this->Controller->AllGatherV(
+    own.data(), all.data(), static_cast<vtkIdType>(own.size()), sizes.data(), places.data());
+  std::vector<Bytes> gathered;
+  for (std::size_t rank = 0; rank < ranks; ++rank)
+  {
+    gathered.emplace_back(all.begin() + places[rank], all.begin() + places[rank + 1]);
+  }
+  return gathered;
 }
 
 std::string RankExchange::FindFirst(const std::string& text)

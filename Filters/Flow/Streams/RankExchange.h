@@ -42,6 +42,8 @@ public:
   void Unite(double bounds[6]);
   /// Returns whether anything is so in any process.
   bool IsAnywhere(bool here);
+  /// Returns the bytes of each process.
+  std::vector<Bytes> Gather(const Bytes& own);
   /// Returns the first process's text that is not empty.
   std::string FindFirst(const std::string& text);
 

@@ -1,22 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Streams/RankField.h"
 
+#include "Common/Blanking.h"
+#include "Streams/SharedPoints.h"
+
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkExtentTranslator.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <numeric>
 
 namespace interlume
 {
@@ -55,12 +63,12 @@ vtkSmartPointer<vtkDataSet> WithoutDuplicates(vtkDataSet* data)
   {
     const char* name = vtkDataSetAttributes::GhostArrayName();
     auto* marks = vtkUnsignedCharArray::SafeDownCast(attributes->GetAbstractArray(name));
-    if (!marks)
+    const unsigned char* first = marks ? marks->GetPointer(0) : nullptr;
+    const vtkIdType number = marks ? marks->GetNumberOfValues() : 0;
+    if (std::none_of(first, first + number, [&](unsigned char value) { return value & mark; }))
     {
       return;
     }
-    const unsigned char* first = marks->GetPointer(0);
-    const vtkIdType number = marks->GetNumberOfValues();
     const auto others = static_cast<unsigned char>(~mark);
     vtkSmartPointer<vtkUnsignedCharArray> left;
     if (std::any_of(first, first + number, [&](unsigned char value) { return value & others; }))
@@ -81,11 +89,51 @@ vtkSmartPointer<vtkDataSet> WithoutDuplicates(vtkDataSet* data)
   clear(copy->GetCellData(), vtkDataSetAttributes::DUPLICATECELL);
   return copy;
 }
+
+/// Returns the grid, or a copy without the cells that another process has.
+vtkSmartPointer<vtkUnstructuredGrid> WithoutDuplicateCells(vtkUnstructuredGrid* grid)
+{
+  Blanking blanking;
+  blanking.SetBlanking(grid);
+  vtkNew<vtkIdList> kept;
+  for (vtkIdType cell = 0; blanking.CellGhosts && cell < grid->GetNumberOfCells(); ++cell)
+  {
+    if (!blanking.IsCellDuplicate(cell))
+    {
+      kept->InsertNextId(cell);
+    }
+  }
+  const vtkIdType number = kept->GetNumberOfIds();
+  if (!blanking.CellGhosts || number == grid->GetNumberOfCells())
+  {
+    return grid;
+  }
+  const vtkSmartPointer<vtkUnstructuredGrid> part = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  part->SetPoints(grid->GetPoints());
+  part->GetPointData()->ShallowCopy(grid->GetPointData());
+  part->GetFieldData()->ShallowCopy(grid->GetFieldData());
+  part->AllocateEstimate(number, 8);
+  part->GetCellData()->CopyAllOn();
+  part->GetCellData()->CopyAllocate(grid->GetCellData(), number);
+  vtkNew<vtkIdList> corners;
+  for (const vtkIdType cell : *kept)
+  {
+    grid->GetCellPoints(cell, corners);
+    const vtkIdType made = part->InsertNextCell(grid->GetCellType(cell), corners);
+    part->GetCellData()->CopyData(grid->GetCellData(), cell, made);
+  }
+  return part;
+}
 }
 
-RankField::RankField(vtkMultiProcessController* controller, const int whole[6])
+RankField::RankField(vtkMultiProcessController* controller, const int* whole)
   : Exchange(controller)
+  , WholeExtent{ { 0, -1, 0, -1, 0, -1 } }
 {
+  if (!whole)
+  {
+    return;
+  }
   std::copy_n(whole, 6, this->WholeExtent.begin());
   vtkNew<vtkExtentTranslator> translator;
   const int ranks = this->Exchange.GetNumberOfRanks();
@@ -101,6 +149,10 @@ RankField::RankField(vtkMultiProcessController* controller, const int whole[6])
 
 bool RankField::IsEmpty() const
 {
+  if (this->Own.empty())
+  {
+    return this->Part.FirstCell == this->Part.EndCell;
+  }
   return !FieldPart::HasCells(this->Own[static_cast<std::size_t>(this->Exchange.GetRank())].data());
 }
 
@@ -134,6 +186,19 @@ int RankField::FindRank(const int cell[3]) const
   return -1;
 }
 
+int RankField::FindRank(vtkIdType cell) const
+{
+  // The last process that begins there or before: those without cells begin where the next does.
+  return static_cast<int>(
+    std::upper_bound(this->FirstCells.begin(), this->FirstCells.end() - 1, cell) -
+    this->FirstCells.begin() - 1);
+}
+
+vtkIdType RankField::GetNumberOfCells() const
+{
+  return this->FirstCells.empty() ? this->Whole->GetNumberOfCells() : this->FirstCells.back();
+}
+
 std::string RankField::CheckData(vtkDataSet* data) const
 {
   int held[6] = { 0, -1, 0, -1, 0, -1 };
@@ -161,8 +226,15 @@ std::string RankField::CheckData(vtkDataSet* data) const
   return {};
 }
 
-std::string RankField::SetData(vtkDataSet* data)
+std::string RankField::SetData(vtkDataSet* data, vtkIdType few)
 {
+  if (vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    this->Data = WithoutDuplicates(WithoutDuplicateCells(grid));
+    this->MakeUnstructuredGrid(few);
+    this->Part.Whole = this->Whole;
+    return {};
+  }
   const std::string wrong = this->Exchange.FindFirst(this->CheckData(data));
   if (!wrong.empty())
   {
@@ -183,6 +255,7 @@ std::string RankField::SetData(vtkDataSet* data)
       vtkImageData::SafeDownCast(data) ? this->MakeImage(data) : this->MakeRectilinearGrid(data);
   }
   this->Part.Whole = this->Whole;
+  this->NumberOfPoints = this->Whole->GetNumberOfPoints();
   return this->Exchange.FindFirst(error);
 }
 
@@ -241,16 +314,22 @@ std::string RankField::MakeRectilinearGrid(vtkDataSet* data)
   return {};
 }
 
+std::array<double, 6> RankField::FindBounds()
+{
+  std::array<double, 6> bounds{ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX,
+    VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
+  if (!this->IsEmpty())
+  {
+    this->Data->GetBounds(bounds.data());
+  }
+  this->Exchange.Unite(bounds.data());
+  return bounds;
+}
+
 void RankField::MakeStructuredGrid(vtkDataSet* data)
 {
   vtkStructuredGrid::SafeDownCast(data)->GetExtent(this->Part.Held);
-  double bounds[6] = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX,
-    VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
-  if (!this->IsEmpty())
-  {
-    this->Data->GetBounds(bounds);
-  }
-  this->Exchange.Unite(bounds);
+  const std::array<double, 6> bounds = this->FindBounds();
   const vtkSmartPointer<vtkRectilinearGrid> whole = vtkSmartPointer<vtkRectilinearGrid>::New();
   whole->SetExtent(this->WholeExtent.data());
   vtkNew<vtkDoubleArray> coordinates[3];
@@ -259,13 +338,97 @@ void RankField::MakeStructuredGrid(vtkDataSet* data)
     const auto first = static_cast<std::size_t>(2 * axis);
     const int number = this->WholeExtent[first + 1] - this->WholeExtent[first] + 1;
     coordinates[axis]->SetNumberOfTuples(number);
-    coordinates[axis]->Fill(bounds[2 * axis]);
-    coordinates[axis]->SetValue(number - 1, bounds[2 * axis + 1]);
+    coordinates[axis]->Fill(bounds[first]);
+    coordinates[axis]->SetValue(number - 1, bounds[first + 1]);
   }
   whole->SetXCoordinates(coordinates[0]);
   whole->SetYCoordinates(coordinates[1]);
   whole->SetZCoordinates(coordinates[2]);
   this->Whole = whole;
+}
+
+void RankField::MakeUnstructuredGrid(vtkIdType few)
+{
+  const auto rank = static_cast<std::size_t>(this->Exchange.GetRank());
+  std::vector<vtkIdType> cells(static_cast<std::size_t>(this->Exchange.GetNumberOfRanks()), 0);
+  cells[rank] = this->Data->GetNumberOfCells();
+  this->Exchange.Add(cells);
+  this->FirstCells.assign(cells.size() + 1, 0);
+  std::partial_sum(cells.begin(), cells.end(), this->FirstCells.begin() + 1);
+  this->Part.FirstCell = this->FirstCells[rank];
+  this->Part.EndCell = this->FirstCells[rank + 1];
+  const vtkSmartPointer<vtkUnstructuredGrid> whole = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  this->Whole = whole;
+  if (this->FirstCells.back() == 0)
+  {
+    return;
+  }
+  const std::array<double, 6> bounds = this->FindBounds();
+  vtkNew<vtkPoints> ends;
+  ends->SetDataTypeToDouble();
+  ends->InsertNextPoint(bounds[0], bounds[2], bounds[4]);
+  ends->InsertNextPoint(bounds[1], bounds[3], bounds[5]);
+  whole->SetPoints(ends);
+  this->FindObstacle();
+  std::vector<vtkIdType> points{ this->Data->GetNumberOfPoints() };
+  this->Exchange.Add(points);
+  // A point of a mesh is in few processes: where there are many more, they are not looked at.
+  constexpr vtkIdType most = 16;
+  if (points[0] > few && points[0] <= most * few)
+  {
+    ArrayRows positions;
+    std::vector<vtkIdType> own(static_cast<std::size_t>(this->Data->GetNumberOfPoints()));
+    std::iota(own.begin(), own.end(), 0);
+    if (!own.empty())
+    {
+      positions.Build(vtkPointSet::SafeDownCast(this->Data)->GetPoints()->GetData());
+    }
+    std::vector<vtkIdType> repeated{ static_cast<vtkIdType>(
+      SharedPoints::FindRepeated(own, positions, this->Exchange).size()) };
+    this->Exchange.Add(repeated);
+    points[0] -= repeated[0];
+  }
+  this->NumberOfPoints = points[0];
+}
+
+void RankField::FindObstacle()
+{
+  // The numbers of cells and points, the bounds, and positions in the first and the last cell, of
+  // each process.
+  constexpr std::size_t size = 14;
+  const auto ranks = static_cast<std::size_t>(this->Exchange.GetNumberOfRanks());
+  std::vector<double> known(size * ranks, None);
+  if (!this->IsEmpty())
+  {
+    double* own = known.data() + size * static_cast<std::size_t>(this->Exchange.GetRank());
+    own[0] = static_cast<double>(this->Data->GetNumberOfCells());
+    own[1] = static_cast<double>(this->Data->GetNumberOfPoints());
+    this->Data->GetBounds(own + 2);
+    vtkNew<vtkIdList> corners;
+    this->Data->GetCellPoints(0, corners);
+    this->Data->GetPoint(corners->GetId(0), own + 8);
+    this->Data->GetCellPoints(this->Data->GetNumberOfCells() - 1, corners);
+    this->Data->GetPoint(corners->GetId(0), own + 11);
+  }
+  this->Exchange.Maximize(known);
+  std::vector<std::vector<double>> parts;
+  for (std::size_t rank = 0; rank < ranks; ++rank)
+  {
+    const auto first = known.begin() + static_cast<std::ptrdiff_t>(size * rank);
+    if (*first != None)
+    {
+      parts.emplace_back(first, first + size);
+    }
+  }
+  std::sort(parts.begin(), parts.end());
+  if (parts.size() < 2)
+  {
+    this->Obstacle = "its source gives all cells to one process";
+  }
+  else if (std::adjacent_find(parts.begin(), parts.end()) != parts.end())
+  {
+    this->Obstacle = "its source gives the same cells to several processes";
+  }
 }
 
 }

@@ -5,31 +5,36 @@
 #include "Fields/FieldPart.h"
 #include "Streams/RankExchange.h"
 
+#include "vtkDataSet.h" // for smart pointers to it
 #include "vtkSmartPointer.h"
 
 #include <array>
 #include <string>
 #include <vector>
 
-class vtkDataSet;
+class vtkMultiProcessController;
 
 namespace interlume
 {
 
 /**
  * @class   RankField
- * @brief   a field on an image, a rectilinear or a structured grid, in parts that processes hold
+ * @brief   a field on any grid, in parts that processes hold
  *
- * The cells of the whole extent are split as VTK splits extents in blocks. A process holds its own
- * cells and one layer of cells around them, as a piece with one ghost level.
+ * Of an image, a rectilinear or a structured grid the cells of the whole extent are split as VTK
+ * splits extents in blocks. A process holds its own cells and one layer of cells around them, as a
+ * piece with one ghost level. Of an unstructured grid it holds what its source gives as the
+ * process's piece, without duplicates of other pieces' cells, and cells are numbered piece after
+ * piece.
  */
 class RankField
 {
 public:
   using Extent = std::array<int, 6>;
 
-  /// Splits an extent of points between the processes of \a controller.
-  RankField(vtkMultiProcessController* controller, const int whole[6]);
+  /// Splits an extent of points between the processes of \a controller; null for an unstructured
+  /// grid.
+  RankField(vtkMultiProcessController* controller, const int* whole);
 
   /// Returns the extent that this process has to hold; an empty one where no cell is its own.
   Extent GetHeld() const;
@@ -37,16 +42,31 @@ public:
   bool IsEmpty() const;
   /// Returns the process whose own a cell is, by its index in the whole grid.
   int FindRank(const int cell[3]) const;
+  /// Returns the same of a cell of an unstructured grid, by its number.
+  int FindRank(vtkIdType cell) const;
 
   /// Takes the data of this process, which are at least those of GetHeld, without the marks of what
-  /// is beyond its own cells. Collective. Returns what
-  /// is wrong in any process, or nothing.
-  std::string SetData(vtkDataSet* data);
+  /// is beyond its own cells. Points are counted as far as it matters: whether they are more than
+  /// \a few. Collective. Returns what is wrong in any process, or nothing.
+  std::string SetData(vtkDataSet* data, vtkIdType few);
+
+  ///@{
+  /// Why the field cannot be in parts, which is seen from the data; nothing if it can. The same in
+  /// all processes.
+  const std::string& GetObstacle() const { return this->Obstacle; }
+  void SetObstacle(const std::string& reason) { this->Obstacle = reason; }
+  ///@}
 
   vtkDataSet* GetData() const { return this->Data; }
   /// Returns the whole grid, without arrays. That of a structured grid is a rectilinear one with
-  /// its bounds, and as many points.
+  /// its bounds, and as many points; that of an unstructured grid has two points, at the ends of
+  /// its bounds.
   vtkDataSet* GetWhole() const { return this->Whole; }
+  /// Returns the number of cells of the whole.
+  vtkIdType GetNumberOfCells() const;
+  /// Returns the number of points of the whole as SetData counts them, points that unstructured
+  /// grids of several processes share once.
+  vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
   const FieldPart& GetPart() const { return this->Part; }
   RankExchange& GetExchange() { return this->Exchange; }
 
@@ -55,11 +75,19 @@ private:
   std::string MakeImage(vtkDataSet* data);
   std::string MakeRectilinearGrid(vtkDataSet* data);
   void MakeStructuredGrid(vtkDataSet* data);
+  void MakeUnstructuredGrid(vtkIdType few);
+  void FindObstacle();
+  /// Returns the bounds of the data of all processes.
+  std::array<double, 6> FindBounds();
 
   RankExchange Exchange;
   Extent WholeExtent;
   /// The extents of points of the processes' own cells.
   std::vector<Extent> Own;
+  /// The first cell of each process in an unstructured grid, and the number of all; else empty.
+  std::vector<vtkIdType> FirstCells;
+  vtkIdType NumberOfPoints = 0;
+  std::string Obstacle;
   vtkSmartPointer<vtkDataSet> Data;
   vtkSmartPointer<vtkDataSet> Whole;
   FieldPart Part;

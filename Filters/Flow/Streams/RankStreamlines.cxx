@@ -10,6 +10,7 @@
 #include "Streams/RankField.h"
 #include "Streams/SampleStreams.h"
 #include "Streams/StructuredPartField.h"
+#include "Streams/UnstructuredPartField.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkFlowReport.h"
@@ -20,10 +21,12 @@
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 #include "vtkStructuredGrid.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <deque>
 #include <iterator>
+#include <type_traits>
 #include <utility>
 
 namespace interlume
@@ -96,23 +99,47 @@ public:
   template <typename Data>
   std::string Build(Data* data, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays)
   {
-    SpeedCount speeds;
-    const std::string wrong = this->Exchange.FindFirst(
-      this->Shared.BuildPart(data, vectors, arrays, this->Ranks.GetPart(), speeds));
+    std::string wrong = this->Exchange.FindFirst(
+      this->Shared.BuildPart(data, vectors, arrays, this->Ranks.GetPart()));
+    if constexpr (IsUnstructured)
+    {
+      wrong = wrong.empty() ? this->Shared.Join(this->Exchange) : wrong;
+      if (wrong.empty() && this->Shared.GetInterfaces().IsBetweenRanks)
+      {
+        this->Ranks.SetObstacle("faces of cells do not fit between processes");
+      }
+    }
+    else if constexpr (Field::IsSearched)
+    {
+      if (wrong.empty())
+      {
+        this->Shared.Join(this->Exchange);
+      }
+    }
     if (wrong.empty())
     {
+      SpeedCount speeds = this->Shared.CountOwnSpeeds();
       speeds.Speeds.Unite([this](std::vector<vtkIdType>& numbers) { this->Exchange.Add(numbers); },
         [this](std::vector<double>& largest) { this->Exchange.Maximize(largest); });
       std::vector<vtkIdType> nonFinite{ speeds.NonFinite };
       this->Exchange.Add(nonFinite);
       speeds.NonFinite = nonFinite[0];
       this->Shared.SetSpeeds(speeds);
-      if constexpr (Field::IsSearched)
-      {
-        this->Shared.Join(this->Exchange);
-      }
     }
     return wrong;
+  }
+
+  int FindDomainFaces() override
+  {
+    if constexpr (IsUnstructured)
+    {
+      this->Shared.FindPatches(this->Exchange);
+      return this->Shared.GetPatches()->GetNumberOfPatches();
+    }
+    else
+    {
+      return 6;
+    }
   }
 
   const FlowField& GetField() const override { return this->Shared; }
@@ -128,7 +155,15 @@ public:
       this->Exchange.Maximize(gap);
       report.JoinedFaces = joined[0];
       report.LargestJoinedGap = gap[0];
-      const OpenInterfaces open = this->Shared.FindOpenInterfaces(this->Exchange);
+      OpenInterfaces open;
+      if constexpr (IsUnstructured)
+      {
+        open = this->Shared.GetInterfaces().Open;
+      }
+      else
+      {
+        open = this->Shared.FindOpenInterfaces(this->Exchange);
+      }
       report.OpenInterfaces = open.Number;
       report.FirstOpenCell = open.FirstCell;
     }
@@ -230,6 +265,8 @@ public:
   }
 
 private:
+  static constexpr bool IsUnstructured = std::is_same_v<Field, UnstructuredPartField>;
+
   /// What is asked of this process, and how far it is.
   struct Job
   {
@@ -508,7 +545,7 @@ private:
         if (one.IsElsewhere())
         {
           one.Save(state);
-          const int rank = this->Ranks.FindRank(this->Shared.GetPlace(state.Values.Cell).Index);
+          const int rank = this->Shared.FindRank(this->Ranks, state.Values.Cell);
           PutState(question, state, done.Sent[static_cast<std::size_t>(rank)]);
           ++done.HandedOn;
           return;
@@ -580,7 +617,7 @@ std::unique_ptr<RankStreamlines> MakeOf(RankField& field, Data* data, vtkDataArr
   {
     error = streamlines->Build(data, vectors, arrays);
   }
-  return error.empty() ? std::move(streamlines) : nullptr;
+  return error.empty() && field.GetObstacle().empty() ? std::move(streamlines) : nullptr;
 }
 }
 
@@ -594,6 +631,10 @@ std::unique_ptr<RankStreamlines> RankStreamlines::Make(RankField& field, vtkData
   if (auto* structured = vtkStructuredGrid::SafeDownCast(field.GetData()))
   {
     return MakeOf<StructuredPartWalker>(field, structured, vectors, arrays, owner, error);
+  }
+  if (auto* unstructured = vtkUnstructuredGrid::SafeDownCast(field.GetData()))
+  {
+    return MakeOf<UnstructuredPartWalker>(field, unstructured, vectors, arrays, owner, error);
   }
   auto* grid = vtkRectilinearGrid::SafeDownCast(field.GetData());
   return MakeOf<RectilinearPartWalker>(field, grid, vectors, arrays, owner, error);

@@ -33,10 +33,14 @@ class RankStreamlines : public Streamlines
 {
 public:
   /// Builds the field, whose part \a field has. Collective; \a error is what is wrong in any
-  /// process, and nothing is returned then.
+  /// process, and nothing is returned then, nor where \a field cannot be in parts, and has the
+  /// obstacle.
   static std::unique_ptr<RankStreamlines> Make(RankField& field, vtkDataArray* vectors,
     const std::vector<vtkDataArray*>& arrays, vtkAlgorithm* owner, std::string& error);
 
+  /// Makes the faces of the domain known to walkers, where they have to be found. Collective.
+  /// Returns their number.
+  virtual int FindDomainFaces() = 0;
   /// Returns the number of steps that this process took, and of streamlines that it handed on.
   virtual vtkIdType GetNumberOfSteps() const = 0;
   virtual vtkIdType GetNumberOfHandedOn() const = 0;

@@ -7,9 +7,6 @@
 #include "Streams/PartField.h"
 #include "Streams/RankBoxes.h"
 
-#include <cstdint>
-#include <vector>
-
 namespace interlume
 {
 
@@ -30,9 +27,6 @@ public:
   /// Makes the tree and finds the seams, once BuildPart has succeeded in all processes. Collective.
   void Join(RankExchange& exchange);
 
-  /// Returns the place of a cell in the order of the trees.
-  std::uint64_t GetOrder(const Place& place) const;
-
   /// Calls visit(rank) for the processes whose cells may hold x.
   template <typename Visit>
   void ForEachRankAt(const double x[3], Visit&& visit) const
@@ -44,18 +38,6 @@ public:
   OpenInterfaces FindOpenInterfaces(RankExchange& exchange) const;
 
 private:
-  /// A face on the outside and the corners of its cell.
-  struct OutsideFace
-  {
-    vtkIdType Face;
-    double Cell[8][3];
-  };
-
-  OutsideFace GetOutsideFace(vtkIdType face) const;
-  /// Returns the faces with those of other processes after them that may be the same as one of
-  /// them.
-  std::vector<OutsideFace> ShareFaces(
-    const std::vector<vtkIdType>& faces, RankExchange& exchange) const;
   void FindSeams(RankExchange& exchange);
 
   RankBoxes Boxes;

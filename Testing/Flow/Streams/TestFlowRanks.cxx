@@ -5,6 +5,7 @@
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Checks/ReferenceMessages.h"
 #include "Streams/CurvedGridSource.h"
+#include "Streams/RankMeshes.h"
 
 #include "Inputs/DataFiles.h"
 
@@ -31,8 +32,10 @@
 #include "vtkRectilinearGridAlgorithm.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredGrid.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkXMLStructuredGridReader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -114,6 +117,8 @@ struct Case
   std::string Name;
   std::function<vtkAlgorithm*()> MakeSource;
   std::function<void(vtkImplicitFlowField*)> Set;
+  /// How many vectors the report has as fill values.
+  vtkIdType FillValues = 0;
 };
 
 vtkAlgorithm* MakeFlow(
@@ -135,6 +140,17 @@ void AddPlane(vtkImplicitFlowField* filter, double x)
   plane->SetPoint1(x, 30.0, -30.0);
   plane->SetPoint2(x, -30.0, 30.0);
   filter->AddTerminationSurface(plane);
+}
+
+/// A plane and the domain's faces, and all that is kept of paths.
+void SetAll(vtkImplicitFlowField* filter)
+{
+  AddPlane(filter, 0.31);
+  filter->SetDomainFaces(true);
+  filter->SetKeepSteps(true);
+  filter->SetComputeArcLength(true);
+  filter->SetComputeMeanVorticity(true);
+  filter->SetComputeMaximumSpeed(true);
 }
 
 void AddSphere(vtkImplicitFlowField* filter, double radius)
@@ -233,21 +249,93 @@ void AddCurvedCases(std::vector<Case>& cases)
     } });
 }
 
+/// A mesh that has been made before, of which a source gives pieces.
+Case MakeMeshCase(const std::string& name, const vtkSmartPointer<vtkUnstructuredGrid>& mesh,
+  const std::function<void(vtkImplicitFlowField*)>& set)
+{
+  return { name, [mesh] { return RankMeshes::MakeSource(mesh); }, set, 0 };
+}
+
+void AddMeshCases(std::vector<Case>& cases)
+{
+  using Flow = vtkAnalyticFlowSource;
+  using Kind = reference::MeshKind;
+  const auto mixed =
+    RankMeshes::Make(Kind::Mixed, { { 7, 6, 8 } }, CurvedGridSource::Bow, Flow::HURRICANE);
+  cases.push_back(MakeMeshCase("hurricane in mixed cells", mixed, SetAll));
+  const auto shuffled = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  shuffled->ShallowCopy(mixed);
+  RankMeshes::Shuffle(shuffled);
+  cases.push_back(MakeMeshCase("pieces that lie within each other", shuffled, SetAll));
+  const auto setOrbits = [](vtkImplicitFlowField* filter)
+  {
+    AddSphere(filter, 0.45);
+    filter->SetDomainFaces(true);
+    filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+    filter->SetSampleDimensions(8, 7, 4);
+    filter->SetMaximumNumberOfSteps(4000);
+  };
+  cases.push_back(MakeMeshCase("closed orbits in a ring of tetrahedra",
+    RankMeshes::Make(
+      Kind::Tetrahedra6, { { 4, 9, 3 } }, CurvedGridSource::Ring, Flow::ROTATION, VTK_FLOAT),
+    setOrbits));
+  cases.push_back(MakeMeshCase("closed orbits in a ring of hexahedra",
+    RankMeshes::Make(Kind::Hexahedra, { { 6, 14, 5 } }, CurvedGridSource::Ring, Flow::ROTATION),
+    setOrbits));
+  cases.push_back(MakeMeshCase("hexahedra around a pole",
+    RankMeshes::Make(
+      Kind::Hexahedra, { { 6, 12, 7 } }, CurvedGridSource::Pole, Flow::HURRICANE, VTK_FLOAT),
+    [](vtkImplicitFlowField* filter)
+    {
+      AddPlane(filter, 0.31);
+      filter->SetDomainFaces(true);
+      filter->SetDirectionToForward();
+      filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+      filter->SetSampleDimensions(9, 8, 7);
+    }));
+  const auto hidden =
+    RankMeshes::Make(Kind::Wedges, { { 6, 7, 5 } }, CurvedGridSource::Bow, Flow::ABC);
+  RankMeshes::Hide(hidden);
+  // Fill values in points that several processes have, of which each counts once.
+  for (const vtkIdType point : { 144, 150, 151 })
+  {
+    hidden->GetPointData()->GetVectors()->SetTuple3(point, 1e30, 0.0, 0.0);
+  }
+  cases.push_back(MakeMeshCase("cells and points that are hidden among wedges", hidden,
+    [](vtkImplicitFlowField* filter)
+    {
+      AddSphere(filter, 0.4);
+      filter->SetDomainFaces(true);
+    }));
+  cases.back().FillValues = 3;
+  cases.push_back(MakeMeshCase("tetrahedra that are refined",
+    RankMeshes::Make(Kind::Tetrahedra12, { { 4, 5, 4 } }, CurvedGridSource::Bow, Flow::SOURCE_SINK),
+    [](vtkImplicitFlowField* filter)
+    {
+      AddSphere(filter, 0.4);
+      filter->SetIntegrator(vtkImplicitFlowField::ROSENBROCK);
+      filter->SetDomainFaces(true);
+      filter->SetRefinementLevels(1);
+    }));
+  cases.push_back(MakeMeshCase("pyramids, fewer samples",
+    RankMeshes::Make(
+      Kind::Pyramids, { { 26, 26, 25 } }, CurvedGridSource::Bow, Flow::TORNADO, VTK_FLOAT),
+    [](vtkImplicitFlowField* filter)
+    {
+      filter->SetDomainFaces(true);
+      filter->SetMaximumNumberOfSteps(1);
+    }));
+  cases.push_back(MakeMeshCase("five tetrahedra",
+    RankMeshes::Make(Kind::Tetrahedra5, { { 1, 1, 1 } }, CurvedGridSource::Bow, Flow::UNIFORM),
+    [](vtkImplicitFlowField* filter) { filter->SetDomainFaces(true); }));
+}
+
 std::vector<Case> MakeCases()
 {
   using Flow = vtkAnalyticFlowSource;
   std::vector<Case> cases;
   cases.push_back(
-    { "hurricane", [] { return MakeFlow(Flow::HURRICANE, VTK_FLOAT, 25, 22, 19, 2.0); },
-      [](vtkImplicitFlowField* filter)
-      {
-        AddPlane(filter, 0.31);
-        filter->SetDomainFaces(true);
-        filter->SetKeepSteps(true);
-        filter->SetComputeArcLength(true);
-        filter->SetComputeMeanVorticity(true);
-        filter->SetComputeMaximumSpeed(true);
-      } });
+    { "hurricane", [] { return MakeFlow(Flow::HURRICANE, VTK_FLOAT, 25, 22, 19, 2.0); }, SetAll });
   cases.push_back({ "flow past a cylinder that is hidden",
     [] { return MakeFlow(Flow::CYLINDER, VTK_DOUBLE, 31, 27, 14, 3.0); },
     [](vtkImplicitFlowField* filter)
@@ -289,6 +377,7 @@ std::vector<Case> MakeCases()
   cases.push_back({ "four cells", [] { return MakeFlow(Flow::UNIFORM, VTK_FLOAT, 2, 2, 5, 1.0); },
     [](vtkImplicitFlowField* filter) { filter->SetDomainFaces(true); } });
   AddCurvedCases(cases);
+  AddMeshCases(cases);
   return cases;
 }
 
@@ -297,6 +386,7 @@ std::vector<Case> MakeCases()
 std::vector<vtkIdType> FindPoints(vtkDataSet* part, vtkDataSet* whole)
 {
   std::vector<vtkIdType> ids(static_cast<std::size_t>(part->GetNumberOfPoints()));
+  vtkDataArray* known = part->GetPointData()->GetArray("GlobalIds");
   vtkStructuredGrid* grids[2] = { vtkStructuredGrid::SafeDownCast(part),
     vtkStructuredGrid::SafeDownCast(whole) };
   for (vtkIdType id = 0; id < part->GetNumberOfPoints(); ++id)
@@ -304,7 +394,14 @@ std::vector<vtkIdType> FindPoints(vtkDataSet* part, vtkDataSet* whole)
     vtkIdType& place = ids[static_cast<std::size_t>(id)];
     if (!grids[0] || !grids[1])
     {
-      place = whole->FindPoint(part->GetPoint(id));
+      place = known ? static_cast<vtkIdType>(known->GetComponent(id, 0)) : -1;
+      double x[3];
+      part->GetPoint(id, x);
+      // Samples that refinement adds have no numbers of their own.
+      if (place < 0 || !std::equal(x, x + 3, whole->GetPoint(place)))
+      {
+        place = whole->FindPoint(x);
+      }
       continue;
     }
     int extents[2][6];
@@ -384,6 +481,11 @@ void TestCase(Check& check, vtkMultiProcessController* controller, const Case& t
     test.Set(filter);
   }
   filters[0]->SetController(nullptr);
+  vtkNew<vtkCallbackCommand> silence;
+  if (test.FillValues > 0)
+  {
+    filters[0]->AddObserver(vtkCommand::WarningEvent, silence);
+  }
   filters[0]->Update();
   vtkDataSet* whole = vtkDataSet::SafeDownCast(filters[0]->GetOutputDataObject(0));
   const vtkFlowReport all = filters[0]->GetReport();
@@ -404,6 +506,7 @@ void TestCase(Check& check, vtkMultiProcessController* controller, const Case& t
   check.Equal(own.OpenInterfaces, all.OpenInterfaces, "open interfaces");
   check.Equal(own.FirstOpenCell, all.FirstOpenCell, "the first open cell");
   check.Equal(static_cast<long long>(own.StepsOfRanks.size()), ranks > 1 ? ranks : 0, "ranks");
+  check.Equal(all.FillValues, test.FillValues, "fill values");
   check.That(ranks == 1 || own.HandedOn > 0 || all.Steps < 100, "streamlines are handed on");
   if (rank == 0)
   {
@@ -501,6 +604,10 @@ void TestMemories(Check& check, vtkMultiProcessController* controller)
       }
       return source;
     });
+  const auto mesh = RankMeshes::Make(reference::MeshKind::Hexahedra, { { 60, 60, 60 } },
+    CurvedGridSource::Bow, vtkAnalyticFlowSource::UNIFORM, VTK_FLOAT);
+  TestMemory(
+    check, controller, "mesh", 61 * 61 * 61, 24, [mesh] { return RankMeshes::MakeSource(mesh); });
 }
 
 /// Ends the execution of one process while it follows streamlines.
@@ -514,13 +621,12 @@ void Abort(vtkObject* caller, unsigned long, void*, void*)
 }
 
 /// What is aborted in one process is in all, leaves no samples, and can be done again.
-void TestAbort(Check& check, vtkMultiProcessController* controller)
+void TestAbort(Check& check, vtkMultiProcessController* controller, const std::string& name,
+  const vtkSmartPointer<vtkAlgorithm>& source)
 {
-  check.SetContext("abort");
+  check.SetContext("abort, " + name);
   const int ranks = controller->GetNumberOfProcesses();
   const int rank = controller->GetLocalProcessId();
-  const auto source =
-    vtk::TakeSmartPointer(MakeCurved(vtkAnalyticFlowSource::HURRICANE, CurvedGridSource::Pole));
   vtkNew<vtkImplicitFlowField> filter;
   filter->SetInputConnection(source->GetOutputPort());
   filter->SetDomainFaces(true);
@@ -575,6 +681,77 @@ void TestWholeField(Check& check, vtkMultiProcessController* controller)
   }
 }
 
+/// What is seen from the pieces of a mesh to keep the field whole, and what does not.
+void TestMeshPieces(Check& check, vtkMultiProcessController* controller)
+{
+  using Kind = reference::MeshKind;
+  const auto make = [](Kind kind)
+  {
+    return RankMeshes::Make(
+      kind, { { 4, 3, 6 } }, CurvedGridSource::Bow, vtkAnalyticFlowSource::SHEAR);
+  };
+  const auto mesh = make(Kind::Hexahedra);
+  const auto other = make(Kind::Tetrahedra6);
+  const int ranks = controller->GetNumberOfProcesses();
+  const int rank = controller->GetLocalProcessId();
+  struct Pieces
+  {
+    std::string Name;
+    RankMeshes::GetPiece Get;
+    std::string Reason;
+  };
+  const Pieces all[] = {
+    { "ghost cells that nobody asked for",
+      [&](int piece, int pieces)
+      { return RankMeshes::MakePiece(mesh, piece, pieces, pieces > 1 ? 1 : 0); },
+      "" },
+    { "faces that do not fit",
+      [&](int piece, int pieces)
+      { return RankMeshes::MakePiece(pieces > 1 && piece % 2 ? other : mesh, piece, pieces, 0); },
+      "do not fit" },
+    { "all in one process",
+      [&](int piece, int pieces)
+      {
+        return piece == pieces - 1 ? RankMeshes::MakePiece(mesh, 0, 1, 0)
+                                   : vtkSmartPointer<vtkUnstructuredGrid>::New();
+      },
+      "to one process" },
+    { "all in each process", [&](int, int) { return RankMeshes::MakePiece(mesh, 0, 1, 0); },
+      "to several processes" },
+  };
+  for (const Pieces& pieces : all)
+  {
+    check.SetContext("pieces, " + pieces.Name);
+    vtkNew<vtkImplicitFlowField> filters[2];
+    for (auto& filter : filters)
+    {
+      const auto source = vtk::TakeSmartPointer(RankMeshes::MakeSource(pieces.Get));
+      filter->SetInputConnection(source->GetOutputPort());
+      filter->SetDomainFaces(true);
+      filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+      filter->SetSampleDimensions(7, 8, 9);
+    }
+    filters[0]->SetController(nullptr);
+    filters[0]->Update();
+    for (int i = 1; i <= 2; ++i)
+    {
+      filters[1]->Modified();
+      filters[1]->UpdateInformation();
+      filters[1]->UpdatePiece(rank, ranks, 0);
+      Compare(check, vtkDataSet::SafeDownCast(filters[1]->GetOutputDataObject(0)),
+        vtkDataSet::SafeDownCast(filters[0]->GetOutputDataObject(0)));
+      const vtkFlowReport& report = filters[1]->GetReport();
+      const bool isWhole = ranks > 1 && !pieces.Reason.empty();
+      check.That(isWhole == !report.WholeFieldReason.empty() &&
+          report.WholeFieldReason.find(isWhole ? pieces.Reason : "") != std::string::npos,
+        "the reason is told: " + report.WholeFieldReason);
+      check.Equal(static_cast<long long>(report.StepsOfRanks.size()),
+        isWhole || ranks == 1 ? 0 : ranks, "steps of processes");
+      check.Equal(report.Executions, i, "executions");
+    }
+  }
+}
+
 /// What is wrong is told by every process, and none waits for ever.
 void TestErrors(Check& check, vtkMultiProcessController* controller)
 {
@@ -609,8 +786,13 @@ int main(int argc, char* argv[])
     TestCase(check, controller, test);
   }
   TestWholeField(check, controller);
+  TestMeshPieces(check, controller);
   TestErrors(check, controller);
-  TestAbort(check, controller);
+  TestAbort(check, controller, "structured grid",
+    vtk::TakeSmartPointer(MakeCurved(vtkAnalyticFlowSource::HURRICANE, CurvedGridSource::Pole)));
+  TestAbort(check, controller, "mesh",
+    vtk::TakeSmartPointer(RankMeshes::MakeSource(RankMeshes::Make(reference::MeshKind::Hexahedra,
+      { { 14, 18, 10 } }, CurvedGridSource::Pole, vtkAnalyticFlowSource::HURRICANE))));
   const vtkIdType failures = Sum(controller, check.Result() == EXIT_SUCCESS ? 0 : 1);
   vtkMultiProcessController::SetGlobalController(nullptr);
   controller->Finalize();

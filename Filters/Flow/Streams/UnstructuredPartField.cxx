@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Streams/UnstructuredPartField.h"
+
+#include "Streams/MessageBytes.h"
+#include "Streams/OutsideFaces.h"
+#include "Streams/PartPatches.h"
+#include "Streams/SharedPoints.h"
+
+#include "vtkCellType.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace interlume
+{
+
+namespace
+{
+/// Returns a type of cells that have a shape.
+int GetType(int shape)
+{
+  switch (shape)
+  {
+    case CellShape::HEXAHEDRON:
+      return VTK_HEXAHEDRON;
+    case CellShape::WEDGE:
+      return VTK_WEDGE;
+    case CellShape::PYRAMID:
+      return VTK_PYRAMID;
+    default:
+      return VTK_TETRA;
+  }
+}
+}
+
+std::string UnstructuredPartField::BuildPart(vtkUnstructuredGrid* grid, vtkDataArray* vectors,
+  const std::vector<vtkDataArray*>& arrays, const FieldPart& part)
+{
+  this->First = part.FirstCell;
+  this->End = part.EndCell;
+  std::string error;
+  if (this->First == this->End)
+  {
+    error = this->SetArrays(grid, vectors, arrays);
+  }
+  else
+  {
+    error = this->BuildCells(grid, vectors, arrays);
+    error = error.empty() ? this->FindCellError(this->First) : error;
+    if (error.empty())
+    {
+      this->FindOnlyType();
+      error = this->GetCellPositions().FindError(this->GetNumberOfCells());
+    }
+  }
+  this->SetBounds(part.Whole->GetBounds());
+  return error;
+}
+
+std::string UnstructuredPartField::Join(RankExchange& exchange)
+{
+  const auto mesh = std::make_shared<MeshLinks>();
+  this->GetCellPositions().Build(this->GetNumberOfCells(), mesh->Tree,
+    [&exchange](double bounds[6]) { exchange.Unite(bounds); });
+  this->Boxes.Build(exchange, mesh->Tree.GetBounds());
+  std::vector<vtkIdType> flat{ this->GetNumberOfFlatCells(), this->End - this->First };
+  exchange.Add(flat);
+  this->SetNumberOfFlatCells(flat[0]);
+  if (flat[0] == flat[1])
+  {
+    return GetErrorWithoutCells();
+  }
+  if (this->First < this->End)
+  {
+    this->FindLinks(*mesh, false);
+  }
+  this->Use(mesh);
+  const std::vector<vtkIdType> faces = this->GetOutside();
+  this->Repeated =
+    SharedPoints::FindRepeated(this->GetPointsOf(faces), this->GetPositions(), exchange);
+  this->FindLinksToOthers(faces, *mesh, exchange);
+  this->Interfaces = PartInterfaces::Find(*this, this->GetOutside(), exchange);
+  return {};
+}
+
+std::vector<vtkIdType> UnstructuredPartField::GetOutside() const
+{
+  std::vector<vtkIdType> faces = this->GetOuterFaces();
+  std::transform(faces.begin(), faces.end(), faces.begin(),
+    [this](vtkIdType face) { return face + 8 * this->First; });
+  return faces;
+}
+
+std::vector<vtkIdType> UnstructuredPartField::GetPointsOf(const std::vector<vtkIdType>& faces) const
+{
+  std::vector<vtkIdType> points;
+  for (const vtkIdType face : faces)
+  {
+    vtkIdType corners[4];
+    const int number = this->GetFacePoints(face - 8 * this->First, corners);
+    points.insert(points.end(), corners, corners + number);
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+void UnstructuredPartField::FindLinksToOthers(
+  const std::vector<vtkIdType>& own, MeshLinks& mesh, RankExchange& exchange)
+{
+  std::vector<OutsideFace> outside;
+  for (const vtkIdType face : own)
+  {
+    outside.push_back(OutsideFace::Of(*this, face));
+  }
+  OutsideFaces faces(std::move(outside), this->GetPositions(), exchange);
+  if (own.empty())
+  {
+    return;
+  }
+  faces.FindLinks(true);
+  this->Joins = faces.GetJoins();
+  for (std::size_t i = 0; i < own.size(); ++i)
+  {
+    const FaceLinks::Link& link = faces.GetLinks()[i];
+    if (link.Face < 0)
+    {
+      continue;
+    }
+    const OutsideFace& other = faces.Get(link.Face);
+    const auto number = static_cast<int>(other.Face % 8);
+    Elsewhere beyond;
+    beyond.Cell.Cell = other.Face / 8;
+    beyond.Cell.Type = GetType(other.Shape);
+    beyond.Link = MeshLinks::GetLink(beyond.Cell.Cell, number, link);
+    vtkIdType& known = mesh.Links[static_cast<std::size_t>(
+      (own[i] / 8 - this->First) * mesh.FacesPerCell + own[i] % 8)];
+    if (this->IsHere(beyond.Cell))
+    {
+      known = MeshLinks::GetLink(beyond.Cell.Cell - this->First, number, link);
+      continue;
+    }
+    known = -2 - static_cast<vtkIdType>(this->Beyond.size());
+    this->Beyond.push_back(beyond);
+  }
+}
+
+SpeedCount UnstructuredPartField::CountOwnSpeeds() const
+{
+  return this->CountSpeeds(
+    [this](vtkIdType cell, vtkIdType* points) { return this->GetStoredPoints(cell, points); }, true,
+    [this](vtkIdType point)
+    { return !std::binary_search(this->Repeated.begin(), this->Repeated.end(), point); });
+}
+
+void UnstructuredPartField::FindPatches(RankExchange& exchange)
+{
+  PartPatches::Surface own;
+  own.Faces = this->GetOutside();
+  const std::vector<vtkIdType> points = this->GetPointsOf(own.Faces);
+  for (const vtkIdType point : points)
+  {
+    own.Positions.emplace_back();
+    this->GetPositions().Get<3>(point, own.Positions.back().data());
+  }
+  for (const vtkIdType face : own.Faces)
+  {
+    PartPatches::Corners corners;
+    corners.Number = this->GetFacePoints(face - 8 * this->First, corners.Points);
+    for (int i = 0; i < corners.Number; ++i)
+    {
+      corners.Points[i] =
+        std::lower_bound(points.begin(), points.end(), corners.Points[i]) - points.begin();
+    }
+    own.FaceCorners.push_back(corners);
+  }
+  this->Patches = std::make_unique<BoundaryPatches>();
+  PartPatches::Build(own, exchange, *this->Patches);
+}
+
+}
