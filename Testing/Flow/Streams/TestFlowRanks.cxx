@@ -474,18 +474,19 @@ void TestCase(Check& check, vtkMultiProcessController* controller, const Case& t
   check.SetContext(
     test.Name + ", process " + std::to_string(rank) + " of " + std::to_string(ranks));
   vtkNew<vtkImplicitFlowField> filters[2];
+  vtkNew<vtkCallbackCommand> silence;
   for (auto& filter : filters)
   {
     const auto source = vtk::TakeSmartPointer(test.MakeSource());
     filter->SetInputConnection(source->GetOutputPort());
     test.Set(filter);
+    if (test.FillValues > 0)
+    {
+      // Whoever has the whole warns of them.
+      filter->AddObserver(vtkCommand::WarningEvent, silence);
+    }
   }
   filters[0]->SetController(nullptr);
-  vtkNew<vtkCallbackCommand> silence;
-  if (test.FillValues > 0)
-  {
-    filters[0]->AddObserver(vtkCommand::WarningEvent, silence);
-  }
   filters[0]->Update();
   vtkDataSet* whole = vtkDataSet::SafeDownCast(filters[0]->GetOutputDataObject(0));
   const vtkFlowReport all = filters[0]->GetReport();
