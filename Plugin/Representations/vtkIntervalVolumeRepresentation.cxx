@@ -2,12 +2,17 @@
 #include "vtkIntervalVolumeRepresentation.h"
 
 #include "vtkConstantScalars.h"
+#include "vtkDrawingPass.h"
 #include "vtkGridExchange.h"
+#include "vtkPieceProcesses.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkVolumeFunctions.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkInformation.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODVolume.h"
@@ -16,11 +21,14 @@
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPVView.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkRenderer.h"
 #include "vtkTrivialProducer.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVolumeRepresentationPreprocessor.h"
 #include "vtkVolumeProperty.h"
 
 #include <cstring>
+#include <set>
 
 namespace
 {
@@ -40,7 +48,43 @@ vtkIntervalVolumeRepresentation::vtkIntervalVolumeRepresentation()
   this->vtkUnstructuredGridVolumeRepresentation::SetActiveVolumeMapper(MAPPER_NAME);
 }
 
-vtkIntervalVolumeRepresentation::~vtkIntervalVolumeRepresentation() = default;
+vtkIntervalVolumeRepresentation::~vtkIntervalVolumeRepresentation()
+{
+  if (this->ViewRenderer)
+  {
+    this->ViewRenderer->RemoveObserver(this->Observer);
+  }
+}
+
+bool vtkIntervalVolumeRepresentation::AddToView(vtkView* view)
+{
+  if (!this->Superclass::AddToView(view))
+  {
+    return false;
+  }
+  this->ViewRenderer = vtkPVRenderView::SafeDownCast(view)->GetRenderer();
+  this->Observer = this->ViewRenderer->AddObserver(
+    vtkCommand::StartEvent, this, &vtkIntervalVolumeRepresentation::StartPicture);
+  return true;
+}
+
+bool vtkIntervalVolumeRepresentation::RemoveFromView(vtkView* view)
+{
+  if (this->ViewRenderer)
+  {
+    this->ViewRenderer->RemoveObserver(this->Observer);
+    this->ViewRenderer = nullptr;
+  }
+  return this->Superclass::RemoveFromView(view);
+}
+
+void vtkIntervalVolumeRepresentation::StartPicture()
+{
+  if (this->IsOnePicture && this->GetVisibility())
+  {
+    vtkDrawingPass(this->ViewRenderer).DrawEverywhere();
+  }
+}
 
 void vtkIntervalVolumeRepresentation::SetColor(vtkColorTransferFunction* color)
 {
@@ -135,7 +179,19 @@ int vtkIntervalVolumeRepresentation::ProcessViewRequest(
   {
     this->KeepPieces(inInfo);
   }
-  if (request == vtkPVView::REQUEST_RENDER() && this->Actor->GetMapper())
+  if (request != vtkPVView::REQUEST_RENDER())
+  {
+    return 1;
+  }
+  const bool isReduced = inInfo->Has(vtkPVRenderView::USE_LOD()) != 0;
+  if (!this->Actor->GetMapper() && vtkPieceProcesses::Find(this->GetView(), isReduced))
+  {
+    // A process without data takes part in the picture.
+    vtkNew<vtkUnstructuredGrid> nothing;
+    this->Mapper->SetInputData(nothing);
+    this->Actor->SetMapper(this->Mapper);
+  }
+  if (this->Actor->GetMapper())
   {
     vtkDataArray* scalars = this->FindScalars();
     this->Functions->Apply(this->Property, scalars != nullptr);
@@ -152,30 +208,83 @@ int vtkIntervalVolumeRepresentation::ProcessViewRequest(
       this->LODMapper->SetScalarVisibility(0);
     }
   }
+  this->GatherPieces(isReduced);
   return 1;
 }
 
 void vtkIntervalVolumeRepresentation::KeepPieces(vtkInformation* view)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (!controller || controller->GetNumberOfProcesses() == 1 || vtkGridExchange::IsPossible())
+  if (!controller || controller->GetNumberOfProcesses() == 1)
   {
     return;
   }
-  static bool isSaid = false;
-  if (!isSaid && controller->GetLocalProcessId() == 0)
+  auto* piece = vtkDataSet::SafeDownCast(this->Preprocessor->GetOutputDataObject(0));
+  this->AreInTime = vtkPieceProcesses::IsAnywhere(controller, this->Mapper->HasExtentInTime(piece));
+  this->AreApart = vtkPieceProcesses::AreApart(controller, this->DataBounds);
+  const int blend = this->Mapper->GetBlendMode();
+  const bool isOrdered = blend == vtkUnstructuredGridVolumeMapper::COMPOSITE_BLEND ||
+    (blend == vtkTimeWeightedTetrahedraMapper::AUTOMATIC_BLEND && !this->AreInTime);
+  // ParaView makes points one that are at the same place, also of different times.
+  if (isOrdered && !this->AreApart && !this->AreInTime && vtkGridExchange::IsPossible())
   {
-    vtkWarningMacro(
-      "These processes cannot send each other grids: VTK before 9.3 (ParaView before 5.12) does "
-      "not "
-      "read them with the expat library that is installed (VTK issue 19258). Interval Volume "
-      "draws the cells of each process where they are, one process after the other from back to "
-      "front: where boxes around the cells of two processes overlap, colours there may be in "
-      "the wrong order.");
-    isSaid = true;
+    return;
+  }
+  if (!isOrdered && vtkGridExchange::IsPossible() && !vtkPieceProcesses::HaveDisplays())
+  {
+    vtkPVRenderView::SetOrderedCompositingConfiguration(
+      view, this, vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
+    return;
   }
   vtkPVRenderView::SetOrderedCompositingConfiguration(
     view, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION, this->DataBounds);
+}
+
+void vtkIntervalVolumeRepresentation::GatherPieces(bool isReduced)
+{
+  vtkMultiProcessController* controller = vtkPieceProcesses::Find(this->GetView(), isReduced);
+  const bool hasDisplays = vtkPieceProcesses::HaveDisplays();
+  this->IsOnePicture = this->Mapper->GatherPieces(hasDisplays ? nullptr : controller);
+  if (!controller || this->IsOnePicture)
+  {
+    return;
+  }
+  const int blend = this->Mapper->GetBlendMode();
+  if (blend != vtkUnstructuredGridVolumeMapper::COMPOSITE_BLEND && hasDisplays)
+  {
+    this->WarnOnce(
+      "On tiled displays and in caves each process draws its own cells: in blend modes "
+      "other than Composite, colours before each other are wrong where cells of several "
+      "processes lie on a line of sight.");
+  }
+  else if (blend == vtkUnstructuredGridVolumeMapper::COMPOSITE_BLEND && this->AreInTime)
+  {
+    this->WarnOnce("Tetrahedra with an extent in time overlap and have no order, so that the blend "
+                   "mode Composite gives another picture for every number of processes. Automatic "
+                   "and Optical Depth give the same.");
+  }
+  else if (!this->AreApart && !vtkGridExchange::IsPossible())
+  {
+    this->WarnOnce(
+      "These processes cannot send each other grids: VTK before 9.3 (ParaView before 5.12) does "
+      "not "
+      "read them with the expat library that is installed (VTK issue 19258). In the blend mode "
+      "Composite, Interval Volume draws the cells of each process where they are, one process "
+      "after "
+      "the other from back to front: where boxes around the cells of two processes overlap, "
+      "colours "
+      "there may be in the wrong order.");
+  }
+}
+
+void vtkIntervalVolumeRepresentation::WarnOnce(const std::string& text)
+{
+  static std::set<std::string> said;
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (controller->GetLocalProcessId() == 0 && said.insert(text).second)
+  {
+    vtkWarningMacro(<< text);
+  }
 }
 
 vtkDataArray* vtkIntervalVolumeRepresentation::FindScalars()

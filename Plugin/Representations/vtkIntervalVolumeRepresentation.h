@@ -5,13 +5,16 @@
 #include "InterlumeRepresentationsModule.h" // for the export macro
 #include "vtkNew.h"                         // for the mapper
 #include "vtkUnstructuredGridVolumeRepresentation.h"
+#include "vtkWeakPointer.h" // for the renderer
 
 #include <memory> // for what it is made of
+#include <string> // for warnings
 
 class vtkColorTransferFunction;
 class vtkConstantScalars;
 class vtkDataArray;
 class vtkPiecewiseFunction;
+class vtkRenderer;
 class vtkTimeWeightedTetrahedraMapper;
 class vtkTrivialProducer;
 class vtkVolumeFunctions;
@@ -26,10 +29,14 @@ class vtkVolumeFunctions;
  * colour by, or where the data lack it, the solid colour is drawn with one opacity (see
  * vtkVolumeFunctions). The other setters are those of the mapper, with its defaults.
  *
- * With several processes ParaView redistributes the tetrahedra and composites the pictures of the
- * processes in order. That is exact for COMPOSITE_BLEND alone: the other blend modes, and
- * overlapping tetrahedra with an extent in time, are right within what one process draws. Where the
- * processes cannot send each other grids (see vtkGridExchange), each draws its own, with a warning.
+ * With several processes the blend modes that need no order make one picture of all pieces,
+ * wherever these are (see vtkTimeWeightedTetrahedraMapper::GatherPieces), the same as with one
+ * process. For COMPOSITE_BLEND ParaView lays the pictures of the processes over each other in
+ * order, and redistributes the tetrahedra before where the boxes around pieces overlap; what
+ * straddles two regions is then drawn in one of them. Where the processes cannot send each other
+ * grids (see vtkGridExchange), each draws its own; that, and tetrahedra with an extent in time,
+ * which overlap and have no order, is warned of once. On a tiled display pieces make no picture
+ * together, with a warning.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkIntervalVolumeRepresentation
   : public vtkUnstructuredGridVolumeRepresentation
@@ -85,6 +92,9 @@ protected:
   vtkIntervalVolumeRepresentation();
   ~vtkIntervalVolumeRepresentation() override;
 
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
+
 private:
   vtkIntervalVolumeRepresentation(const vtkIntervalVolumeRepresentation&) = delete;
   void operator=(const vtkIntervalVolumeRepresentation&) = delete;
@@ -92,12 +102,27 @@ private:
   /// Returns the array to colour by, null where the data that the mapper is given lack it.
   vtkDataArray* FindScalars();
 
-  /// Has each process of several draw its own cells where they cannot send each other grids, and
-  /// warns.
+  /// Has each process of several draw its own cells where the blend mode needs no order, or they
+  /// are in order where they are, or sending them would change them.
   void KeepPieces(vtkInformation* view);
+  /// Puts the pieces of several processes together where the blend mode needs no order, and warns
+  /// where there is an order that they do not have.
+  void GatherPieces(bool isReduced);
+  /// Warns once of each text in a session.
+  void WarnOnce(const std::string& text);
+  /// Comes before each picture.
+  void StartPicture();
 
   vtkNew<vtkTimeWeightedTetrahedraMapper> Mapper;
   vtkNew<vtkTrivialProducer> Collection;
+  vtkWeakPointer<vtkRenderer> ViewRenderer;
+  unsigned long Observer = 0;
+  /// Whether the processes draw one picture together.
+  bool IsOnePicture = false;
+  /// Of the pieces of all processes: whether their boxes are apart, and whether they overlap in
+  /// time.
+  bool AreApart = true;
+  bool AreInTime = false;
   std::unique_ptr<vtkVolumeFunctions> Functions;
   std::unique_ptr<vtkConstantScalars> Constant;
 };

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSceneShadows.h"
 
+#include "vtkDrawingPass.h"
 #include "vtkShadowedScenePass.h"
 
-#include "vtkCameraPass.h"
 #include "vtkCommand.h"
-#include "vtkImageProcessingPass.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVDefaultPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-
-#ifdef INTERLUME_PARAVIEW_HAS_ICET
-#include "vtkIceTCompositePass.h"
-#endif
 
 #include <algorithm>
 
@@ -27,55 +22,6 @@ std::map<vtkRenderer*, vtkSceneShadows*>& GetAll()
   static std::map<vtkRenderer*, vtkSceneShadows*> all;
   return all;
 }
-
-/// The place of the pass that draws props, in the passes of a renderer of ParaView.
-class DrawingPass
-{
-public:
-  explicit DrawingPass(vtkRenderer* renderer)
-  {
-    vtkRenderPass* pass = renderer->GetPass();
-    while (auto* processing = vtkImageProcessingPass::SafeDownCast(pass))
-    {
-      pass = processing->GetDelegatePass();
-    }
-    this->Camera = vtkCameraPass::SafeDownCast(pass);
-#ifdef INTERLUME_PARAVIEW_HAS_ICET
-    this->Composite =
-      vtkIceTCompositePass::SafeDownCast(this->Camera ? this->Camera->GetDelegatePass() : nullptr);
-#endif
-  }
-
-  /// Returns null where ParaView has no such place.
-  vtkRenderPass* Get()
-  {
-#ifdef INTERLUME_PARAVIEW_HAS_ICET
-    if (this->Composite)
-    {
-      return this->Composite->GetRenderPass();
-    }
-#endif
-    return this->Camera ? this->Camera->GetDelegatePass() : nullptr;
-  }
-
-  void Set(vtkRenderPass* pass)
-  {
-#ifdef INTERLUME_PARAVIEW_HAS_ICET
-    if (this->Composite)
-    {
-      this->Composite->SetRenderPass(pass);
-      return;
-    }
-#endif
-    this->Camera->SetDelegatePass(pass);
-  }
-
-private:
-  vtkCameraPass* Camera = nullptr;
-#ifdef INTERLUME_PARAVIEW_HAS_ICET
-  vtkIceTCompositePass* Composite = nullptr;
-#endif
-};
 }
 
 vtkSceneShadows::vtkSceneShadows() = default;
@@ -148,7 +94,7 @@ void vtkSceneShadows::Arrange()
   this->Pass->SetMaximumNumberOfShadows(most.MaximumNumberOfShadows);
   this->Pass->SetDepthMapResolution(most.DepthMapResolution);
   this->Pass->SetDepthBias(most.DepthBias);
-  DrawingPass place(this->Renderer);
+  vtkDrawingPass place(this->Renderer);
   const bool isThere = place.Get() == this->Pass.Get();
   if (most.HasShadows && vtkPVDefaultPass::SafeDownCast(place.Get()))
   {

@@ -4,6 +4,7 @@
 #include "vtkConstantScalars.h"
 #include "vtkImageBlocks.h"
 #include "vtkImageComponent.h"
+#include "vtkPieceProcesses.h"
 #include "vtkPieceSliceMapper.h"
 #include "vtkSceneShadows.h"
 #include "vtkVolumeFunctions.h"
@@ -227,13 +228,7 @@ int vtkShadowedSliceRepresentation::ProcessViewRequest(
 
 void vtkShadowedSliceRepresentation::GatherPieces(bool isReduced)
 {
-  auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  // Only where all processes draw do all of them come here.
-  const bool isDistributed = view &&
-    (isReduced ? view->GetUseDistributedRenderingForLODRender()
-               : view->GetUseDistributedRenderingForRender());
-  if (isDistributed && controller && controller->GetNumberOfProcesses() > 1)
+  if (vtkMultiProcessController* controller = vtkPieceProcesses::Find(this->GetView(), isReduced))
   {
     const int resolution = this->Mapper->GetShadows() ? this->ShadowGridResolution : 0;
     this->Mapper->GatherPieces(this->Property, resolution, controller);

@@ -45,6 +45,10 @@ struct INTERLUMETETRAHEDRA_EXPORT vtkTetrahedraReport
   vtkIdType BoundaryTriangles = 0;
   vtkIdType UnmatchedTriangles = 0;
 
+  /// The number of processes whose pieces were put together in this picture; 0 where this one drew
+  /// alone, and where pictures are laid over each other.
+  int Processes = 0;
+
   /// The numbers of passes over the tetrahedra (priority: one for each layer), and of layers.
   int Passes = 0;
   int Layers = 0;

@@ -3,14 +3,17 @@
 
 #include "Common/ArrayCheck.h"
 #include "Draw/TetrahedraRenderer.h"
+#include "Pieces/PieceExchange.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkCellData.h"
+#include "vtkCommunicator.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDepthPeels.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
@@ -22,6 +25,8 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 namespace
 {
@@ -184,6 +189,59 @@ std::string vtkTimeWeightedTetrahedraMapper::FindArrays(
   return wrong;
 }
 
+bool vtkTimeWeightedTetrahedraMapper::HasExtentInTime(vtkDataSet* data) const
+{
+  const std::string extent = this->HasDeltaTArrayName ? this->DeltaTArrayName : DELTA_T;
+  return data && !extent.empty() && data->GetPointData()->HasArray(extent.c_str());
+}
+
+bool vtkTimeWeightedTetrahedraMapper::GatherPieces(vtkMultiProcessController* controller)
+{
+  this->Pieces.reset();
+  if (!controller || controller->GetNumberOfProcesses() < 2 || this->BlendMode == COMPOSITE_BLEND)
+  {
+    return false;
+  }
+  // The largest of the lower ends with a minus, of the upper ends, and of whether there is an
+  // extent in time.
+  constexpr double none = std::numeric_limits<double>::lowest();
+  const bool isInTime = this->HasExtentInTime(this->GetDataSetInput());
+  std::array<double, 7> own{ { none, none, none, none, none, none, isInTime ? 1.0 : 0.0 } };
+  if (this->GetInput() && this->GetInput()->GetNumberOfCells() > 0)
+  {
+    const double* bounds = this->Superclass::GetBounds();
+    for (int i = 0; i < 6; ++i)
+    {
+      own[i] = i % 2 == 0 ? -bounds[i] : bounds[i];
+    }
+  }
+  std::array<double, 7> all{};
+  controller->AllReduce(own.data(), all.data(), 7, vtkCommunicator::MAX_OP);
+  int blend = this->BlendMode;
+  if (blend == AUTOMATIC_BLEND)
+  {
+    blend =
+      all[6] > 0.0 ? static_cast<int>(OPTICAL_DEPTH_BLEND) : static_cast<int>(COMPOSITE_BLEND);
+  }
+  if (blend == COMPOSITE_BLEND || all[0] == none)
+  {
+    return false;
+  }
+  this->Pieces = std::make_unique<interlume::PieceExchange>(controller, blend,
+    std::array<double, 6>{ { -all[0], all[1], -all[2], all[3], -all[4], all[5] } });
+  return true;
+}
+
+double* vtkTimeWeightedTetrahedraMapper::GetBounds()
+{
+  if (!this->Pieces)
+  {
+    return this->Superclass::GetBounds();
+  }
+  std::copy(this->Pieces->GetBounds().begin(), this->Pieces->GetBounds().end(), this->Bounds);
+  return this->Bounds;
+}
+
 void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   if (this->Peels->Defer(this, renderer, volume))
@@ -202,23 +260,31 @@ void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* v
   int bottom = 0;
   renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
   this->Report = vtkTetrahedraReport();
-  if (!grid || grid->GetNumberOfCells() == 0 || width <= 0 || height <= 0)
+  const bool hasGrid = grid && grid->GetNumberOfCells() > 0;
+  interlume::TetrahedraRenderer::Request request(*this);
+  request.Pieces = renderer->GetSelector() ? nullptr : this->Pieces.get();
+  if ((!hasGrid && !request.Pieces) || width <= 0 || height <= 0)
   {
     return;
   }
-  interlume::TetrahedraRenderer::Request request(*this);
-  request.Grid = grid;
+  request.Grid = hasGrid ? grid : nullptr;
   request.Blend = this->BlendMode;
   request.Boundary = vtkDataSet::SafeDownCast(
     this->GetNumberOfInputConnections(1) > 0 ? this->GetExecutive()->GetInputData(1, 0) : nullptr);
-  std::string error = this->FindArrays(grid, request.Arrays);
-  if (error.empty())
+  std::string error = hasGrid ? this->FindArrays(grid, request.Arrays) : std::string();
+  if (!error.empty())
   {
-    error = this->Renderer->Render(renderer, volume, request, this->Report);
+    request.Grid = nullptr;
+  }
+  // A piece that cannot be drawn must not keep those of the other processes waiting.
+  if (request.Grid || request.Pieces)
+  {
+    const std::string wrong = this->Renderer->Render(renderer, volume, request, this->Report);
+    error = error.empty() ? wrong : error;
   }
   this->TimeToDraw = this->Report.Seconds;
   // An error is given once for one state of the input and of the mapper, not for every picture.
-  const vtkMTimeType state = std::max(grid->GetMTime(), this->GetMTime());
+  const vtkMTimeType state = std::max(grid ? grid->GetMTime() : 0, this->GetMTime());
   if (!error.empty() && state != this->ErrorTime)
   {
     vtkErrorMacro(<< error);
@@ -251,6 +317,7 @@ void vtkTimeWeightedTetrahedraMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->BoundaryProperty->PrintSelf(os, indent.GetNextIndent());
   os << indent << "BoundaryTexture: " << this->BoundaryTexture.Get() << "\n";
   os << indent << "AutoAdjustLevelOfDetail: " << this->AutoAdjustLevelOfDetail << "\n";
+  os << indent << "Processes: " << (this->Pieces ? this->Pieces->GetNumberOfRanks() : 1) << "\n";
   os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

@@ -11,11 +11,13 @@
 #include <string> // for array names
 
 class vtkDepthPeels;
+class vtkMultiProcessController;
 class vtkPolyData;
 class vtkUnstructuredGrid;
 
 namespace interlume
 {
+class PieceExchange;
 class TetrahedraRenderer;
 struct TetrahedraArrays;
 }
@@ -66,6 +68,14 @@ struct TetrahedraArrays;
  * transparent. Translucent polygons other than boundary triangles are behind the volume wherever
  * they are: UseDepthPeelingForVolumes is not supported, is warned of once, and draws the picture
  * that is drawn without it.
+ *
+ * **Pieces of one volume in several processes** make one picture in the blend modes that need no
+ * order, after GatherPieces: each process draws its piece by SOFTWARE_PATH, what the blend mode
+ * sums up along the lines of sight is exchanged in floats, and each pixel is shown by one process,
+ * the one with the nearest opaque surface there, else the first. So the picture is that of one
+ * process but for rounding, wherever the pieces are, and laying the processes' pictures over each
+ * other adds nothing to it. COMPOSITE_BLEND has no such sum: each process draws its piece alone,
+ * and the pictures have to be laid over each other in order.
  *
  * Errors (vtkErrorMacro, nothing drawn): cells that are no tetrahedra, missing scalars, an array
  * for Dt or layers that is named and missing, a wrong number of components. Tetrahedra with NaN or
@@ -207,6 +217,24 @@ public:
   ///@}
 
   /**
+   * Makes the input a piece of a volume whose others are the inputs of this mapper in the other
+   * processes of \a controller. All of them must call it together, whenever the input or the blend
+   * mode has changed, and must draw every picture that is no selection together, from the same
+   * view; GetBounds are then those of all pieces. Returns whether the blend mode needs no order, so
+   * that the pieces make one picture. With null, one process or COMPOSITE_BLEND the input is drawn
+   * as without it.
+   */
+  bool GatherPieces(vtkMultiProcessController* controller);
+
+  /**
+   * Returns whether a dataset has the array for the extent in time.
+   */
+  bool HasExtentInTime(vtkDataSet* data) const;
+
+  using Superclass::GetBounds;
+  double* GetBounds() VTK_SIZEHINT(6) override;
+
+  /**
    * Returns what the last picture took.
    */
   const vtkTetrahedraReport& GetReport() const { return this->Report; }
@@ -229,6 +257,8 @@ private:
   std::string FindArrays(vtkUnstructuredGrid* grid, interlume::TetrahedraArrays& arrays);
 
   vtkTetrahedraReport Report;
+  /// The other pieces of the volume; null where the input is drawn alone.
+  std::unique_ptr<interlume::PieceExchange> Pieces;
   std::unique_ptr<vtkDepthPeels> Peels;
   std::unique_ptr<interlume::TetrahedraRenderer> Renderer;
   /// The modification time of the input and the mapper when the last error was given.

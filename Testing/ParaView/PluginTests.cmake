@@ -32,6 +32,7 @@ set(plugin_environment
   ${interlume_mpi_environment})
 set(pieces_file "${CMAKE_CURRENT_BINARY_DIR}/pieces.npz")
 set(piece_shadows_file "${CMAKE_CURRENT_BINARY_DIR}/piece_shadows.npz")
+set(piece_blends_file "${CMAKE_CURRENT_BINARY_DIR}/piece_blends.npz")
 set(flow_pieces_file "${CMAKE_CURRENT_BINARY_DIR}/flow_pieces.npz")
 set(server_file "${CMAKE_CURRENT_BINARY_DIR}/server.npz")
 
@@ -111,6 +112,13 @@ plugin_test(TestPluginPieceShadows "paraview;mpi;image"
 set_tests_properties(TestPluginOnePieceShadows PROPERTIES FIXTURES_SETUP one_piece_shadows)
 set_tests_properties(TestPluginPieceShadows PROPERTIES
   FIXTURES_REQUIRED one_piece_shadows RUN_SERIAL ON)
+plugin_test(TestPluginOnePieceBlends "paraview;image"
+  ${batch} "${script}/TestPluginPieceBlends.py" write "${piece_blends_file}")
+plugin_test(TestPluginPieceBlends "paraview;mpi;image"
+  ${ranks} ${batch} "${script}/TestPluginPieceBlends.py" compare "${piece_blends_file}")
+set_tests_properties(TestPluginOnePieceBlends PROPERTIES FIXTURES_SETUP one_piece_blends)
+set_tests_properties(TestPluginPieceBlends PROPERTIES
+  FIXTURES_REQUIRED one_piece_blends RUN_SERIAL ON)
 plugin_test(TestPluginRepresentationPieces "paraview;mpi;image"
   ${ranks} ${batch} "${script}/TestPluginRepresentation.py" "${CMAKE_CURRENT_BINARY_DIR}" distributed)
 set_tests_properties(TestPluginRepresentationPieces PROPERTIES RUN_SERIAL ON)

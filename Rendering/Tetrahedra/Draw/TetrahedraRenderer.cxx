@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Draw/TetrahedraRenderer.h"
 
+#include "Draw/PiecePicture.h"
 #include "Loader/OpenGLFunctions.h"
 #include "OpenGL/OpenGLRasterizer.h"
 #include "OpenGL/TetrahedraSelection.h"
+#include "Pieces/PieceExchange.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -64,6 +66,8 @@ struct TetrahedraRenderer::DrawnState
   int SurfaceVersion = 0;
   TetrahedraFrame::Blends Blend = TetrahedraFrame::SELECTION;
   bool IsExact = false;
+  /// Whether it is one piece of several; then Opaque is the depth of the own surfaces.
+  bool IsPiece = false;
   int PixelStride = 0;
   std::uint32_t TetrahedronStride = 0;
   std::vector<float> Opaque;
@@ -73,7 +77,8 @@ struct TetrahedraRenderer::DrawnState
     return this->View == other.View && this->MeshVersion == other.MeshVersion &&
       this->ColorVersion == other.ColorVersion && this->OrderVersion == other.OrderVersion &&
       this->SurfaceVersion == other.SurfaceVersion && this->Blend == other.Blend &&
-      this->IsExact == other.IsExact && this->PixelStride == other.PixelStride &&
+      this->IsExact == other.IsExact && this->IsPiece == other.IsPiece &&
+      this->PixelStride == other.PixelStride &&
       this->TetrahedronStride == other.TetrahedronStride && this->Opaque == other.Opaque;
   }
 };
@@ -168,7 +173,9 @@ void TetrahedraRenderer::ChooseBlend(const Request& request, vtkTetrahedraReport
   report.BlendReason = "as asked for";
   if (request.Blend == Settings::AUTOMATIC_BLEND)
   {
-    const bool hasTime = request.Arrays.DeltaT != nullptr;
+    const bool hasTime = request.Pieces
+      ? request.Pieces->GetBlend() == Settings::OPTICAL_DEPTH_BLEND
+      : request.Arrays.DeltaT != nullptr;
     report.BlendMode = hasTime ? static_cast<int>(Settings::OPTICAL_DEPTH_BLEND)
                                : static_cast<int>(Mapper::COMPOSITE_BLEND);
     report.BlendReason = hasTime ? "with an extent in time tetrahedra overlap and have no order"
@@ -329,6 +336,23 @@ void TetrahedraRenderer::DrawFrame(
   }
 }
 
+TetrahedraRenderer::WindowResources& TetrahedraRenderer::GetResources(vtkWindow* window)
+{
+  std::unique_ptr<WindowResources>& resources = this->Windows[window];
+  if (!resources)
+  {
+    resources = std::make_unique<WindowResources>();
+  }
+  return *resources;
+}
+
+void TetrahedraRenderer::CountTetrahedra(const Request& request, vtkTetrahedraReport& report) const
+{
+  report.Tetrahedra = request.Grid->GetNumberOfCells();
+  report.FlatTetrahedra = this->Counts.Flat;
+  report.NonFiniteTetrahedra = this->Counts.NonFinite;
+}
+
 std::string TetrahedraRenderer::Render(
   vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report)
 {
@@ -338,10 +362,16 @@ std::string TetrahedraRenderer::Render(
   {
     return "the render window is not an OpenGL one";
   }
+  if (request.Pieces)
+  {
+    std::string error = this->RenderPieces(renderer, volume, request, *window, report);
+    this->Clip.Remove(this->Mesh, this->Fields);
+    report.Seconds = vtkTimerLog::GetUniversalTime() - start;
+    report.MemoryBytes = this->GetMemoryBytes();
+    return error;
+  }
   std::string error = this->UpdateMesh(request);
-  report.Tetrahedra = request.Grid->GetNumberOfCells();
-  report.FlatTetrahedra = this->Counts.Flat;
-  report.NonFiniteTetrahedra = this->Counts.NonFinite;
+  this->CountTetrahedra(request, report);
   if (!error.empty() || this->Mesh.Corners.empty())
   {
     return error;
@@ -354,19 +384,15 @@ std::string TetrahedraRenderer::Render(
   {
     return error;
   }
-  std::unique_ptr<WindowResources>& resources = this->Windows[window];
-  if (!resources)
-  {
-    resources = std::make_unique<WindowResources>();
-  }
+  WindowResources& resources = this->GetResources(window);
   vtkHardwareSelector* selector = renderer->GetSelector();
   if (selector)
   {
-    this->Select(renderer, selector, *resources);
+    this->Select(renderer, selector, resources);
   }
   else
   {
-    this->DrawFrame(renderer, volume, *resources, report);
+    this->DrawFrame(renderer, volume, resources, report);
   }
   this->Clip.Remove(this->Mesh, this->Fields);
   if (selector)
@@ -418,7 +444,7 @@ void TetrahedraRenderer::DrawInSoftware(
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   report.Features = this->GetFeatures();
   const DrawnState state = { this->Frame.View, this->MeshVersion, this->ColorVersion,
-    this->OrderVersion, this->SurfaceVersion, this->Frame.Blend, this->Frame.IsExact,
+    this->OrderVersion, this->SurfaceVersion, this->Frame.Blend, this->Frame.IsExact, false,
     this->Frame.PixelStride, this->Frame.TetrahedronStride, this->Depth.GetDepths() };
   // A still view of a still scene keeps its picture.
   if (!(resources.Drawn == state))
@@ -438,6 +464,91 @@ void TetrahedraRenderer::DrawInSoftware(
   report.BufferBytes =
     16 * static_cast<vtkIdType>(this->Frame.View.GetWidth()) * this->Frame.View.GetHeight();
   resources.Quad.Draw(window);
+}
+
+std::string TetrahedraRenderer::UpdatePiece(
+  vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report)
+{
+  if (!request.Grid)
+  {
+    return {};
+  }
+  std::string error = this->UpdateMesh(request);
+  this->CountTetrahedra(request, report);
+  if (!error.empty() || this->Mesh.Corners.empty())
+  {
+    return error;
+  }
+  this->Frame.TetrahedronStride = 1;
+  return this->UpdateFrame(renderer, volume, request, report);
+}
+
+std::string TetrahedraRenderer::RenderPieces(vtkRenderer* renderer, vtkVolume* volume,
+  const Request& request, vtkOpenGLRenderWindow& window, vtkTetrahedraReport& report)
+{
+  const PieceExchange& pieces = *request.Pieces;
+  WindowResources& resources = this->GetResources(&window);
+  report.Processes = pieces.GetNumberOfRanks();
+  report.RenderPath = Settings::SOFTWARE_PATH;
+  report.PathReason = "what several processes draw is put together on the CPU";
+  this->ChooseBlend(request, report);
+  const std::string error = this->UpdatePiece(renderer, volume, request, report);
+  const bool isHere = request.Grid && error.empty() && !this->Mesh.Corners.empty();
+
+  // Nobody draws anew where nothing has changed in any process.
+  std::array<int, 2> size{ { 0, 0 } };
+  std::array<int, 2> origin{ { 0, 0 } };
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  const bool hasDepth = this->Depth.Read(renderer);
+  DrawnState state;
+  state.IsPiece = true;
+  state.Blend = GetBlend(report.BlendMode);
+  state.Opaque = this->Depth.GetBuffer();
+  if (isHere)
+  {
+    state.View = this->Frame.View;
+    state.MeshVersion = this->MeshVersion;
+    state.ColorVersion = this->ColorVersion;
+    state.OrderVersion = this->OrderVersion;
+    state.IsExact = this->Frame.IsExact;
+  }
+  std::vector<int> all{ resources.Drawn == state ? 0 : 1, hasDepth ? 1 : 0, size[0], size[1],
+    -size[0], -size[1] };
+  pieces.Maximize(all);
+  if (all[2] != -all[4] || all[3] != -all[5])
+  {
+    return "the processes have viewports of different sizes";
+  }
+  if (all[0] != 0)
+  {
+    const auto pixels = static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
+    std::vector<float> depths = this->Depth.GetBuffer();
+    depths.resize(all[1] != 0 ? pixels : 0, 1.0f);
+    const std::vector<bool> isShown = PiecePicture::FindShown(pieces, depths);
+    this->Depth.SetBuffer(depths, size);
+    if (isHere)
+    {
+      this->PlaceDepth();
+    }
+    PiecePicture picture(pieces, isHere ? &this->Frame : nullptr, pixels, this->Rasterizer);
+    std::vector<float> colors = picture.Draw(state.Blend, request.Settings.LayerPriorities);
+    for (std::size_t p = 0; p < pixels; ++p)
+    {
+      if (isShown.empty() ? pieces.GetRank() != 0 : !isShown[p])
+      {
+        std::fill_n(colors.begin() + static_cast<std::ptrdiff_t>(4 * p), 4, 0.0f);
+      }
+    }
+    report.UploadedImageBytes = resources.Quad.Upload(&window, size[0], size[1], colors);
+    resources.Drawn = state;
+    resources.NumberDrawn = isHere ? this->Rasterizer.GetNumberDrawn() : 0;
+  }
+  report.Features = isHere ? this->GetFeatures() : "";
+  report.TetrahedraDrawn = resources.NumberDrawn;
+  report.Buffers = 1;
+  report.BufferBytes = 16 * static_cast<vtkIdType>(size[0]) * size[1];
+  resources.Quad.Draw(&window);
+  return error;
 }
 
 void TetrahedraRenderer::Select(
@@ -519,7 +630,13 @@ void TetrahedraRenderer::UpdateBoundary(
 
 void TetrahedraRenderer::ReadDepth(vtkRenderer* renderer)
 {
-  this->Depth.Read(renderer, this->Frame.View, this->Frame.PixelStride, this->IsCutByFarPlane());
+  this->Depth.Read(renderer);
+  this->PlaceDepth();
+}
+
+void TetrahedraRenderer::PlaceDepth()
+{
+  this->Depth.Place(this->Frame.View, this->Frame.PixelStride, this->IsCutByFarPlane());
   this->Frame.Opaque = this->Depth.GetDepths().empty() ? nullptr : this->Depth.GetDepths().data();
 }
 

@@ -34,6 +34,8 @@ class vtkWindow;
 namespace interlume
 {
 
+class PieceExchange;
+
 /**
  * @class   TetrahedraRenderer
  * @brief   draws one picture: makes what has changed anew, makes the choices, has one of the paths
@@ -58,6 +60,9 @@ public:
     vtkUnstructuredGrid* Grid = nullptr;
     TetrahedraArrays Arrays;
     vtkDataSet* Boundary = nullptr;
+    /// The pieces of other processes that this one is drawn with; null where it is drawn alone.
+    /// With them Grid may be null.
+    const PieceExchange* Pieces = nullptr;
   };
 
   /**
@@ -73,7 +78,9 @@ private:
   struct WindowResources;
   struct DrawnState;
 
+  WindowResources& GetResources(vtkWindow* window);
   std::string UpdateMesh(const Request& request);
+  void CountTetrahedra(const Request& request, vtkTetrahedraReport& report) const;
   std::string UpdateColors(const Request& request, vtkVolumeProperty* property, double unit);
   void ChooseBlend(const Request& request, vtkTetrahedraReport& report);
   void ChoosePath(
@@ -94,10 +101,18 @@ private:
     vtkTetrahedraReport& report);
   void DrawInSoftware(
     vtkRenderer* renderer, WindowResources& resources, vtkTetrahedraReport& report);
+  /// Draws the picture of all pieces, together with the other processes.
+  std::string RenderPieces(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
+    vtkOpenGLRenderWindow& window, vtkTetrahedraReport& report);
+  /// Makes what has changed of the own piece anew. Returns what is wrong, or nothing.
+  std::string UpdatePiece(
+    vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report);
   void Select(vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources);
   void DrawSelection(
     vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources);
   void ReadDepth(vtkRenderer* renderer);
+  /// Takes the depth that was read into the frame.
+  void PlaceDepth();
   /// Returns whether a point of the mesh is beyond the far plane.
   bool IsCutByFarPlane() const;
   void UpdateBoundary(vtkRenderer* renderer, const Request& request, vtkTetrahedraReport& report);

@@ -43,6 +43,9 @@ struct TetrahedraFrame
   /// The shading of the boundary triangles; null where none are drawn.
   const BoundaryShading* Surface = nullptr;
   Blends Blend = COMPOSITE;
+  /// Whether the picture is what the blend mode sums up, or keeps the largest of, and no colours
+  /// yet.
+  bool IsSum = false;
   /// The extinction of opacity 1, so that MAXIMUM can undo what extinction was made by.
   double ExtinctionUnit = 1.0;
   bool IsExact = true;

@@ -59,24 +59,13 @@ const std::vector<std::uint32_t>* TetrahedraOrder::ComputeLayers(
   {
     members[layers[t]].push_back(static_cast<std::uint32_t>(t));
   }
-  const auto priority = [&priorities](int layer)
-  {
-    const auto found = priorities.find(layer);
-    return found == priorities.end() ? static_cast<double>(layer) : found->second;
-  };
   std::vector<int> names;
   names.reserve(members.size());
   for (const auto& layer : members)
   {
     names.push_back(layer.first);
   }
-  std::sort(names.begin(), names.end(),
-    [&priority](int a, int b)
-    {
-      const double first = priority(a);
-      const double second = priority(b);
-      return first != second ? first > second : a > b;
-    });
+  SortLayers(names, priorities);
   this->Order.clear();
   for (int name : names)
   {
@@ -84,6 +73,22 @@ const std::vector<std::uint32_t>* TetrahedraOrder::ComputeLayers(
   }
   this->NumberOfLayers = static_cast<int>(names.size());
   return &this->Order;
+}
+
+void TetrahedraOrder::SortLayers(std::vector<int>& layers, const std::map<int, double>& priorities)
+{
+  const auto priority = [&priorities](int layer)
+  {
+    const auto found = priorities.find(layer);
+    return found == priorities.end() ? static_cast<double>(layer) : found->second;
+  };
+  std::sort(layers.begin(), layers.end(),
+    [&priority](int a, int b)
+    {
+      const double first = priority(a);
+      const double second = priority(b);
+      return first != second ? first > second : a > b;
+    });
 }
 
 vtkIdType TetrahedraOrder::GetCycles() const

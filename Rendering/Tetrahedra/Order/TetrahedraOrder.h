@@ -48,6 +48,9 @@ public:
   const std::vector<std::uint32_t>* ComputeLayers(
     const std::vector<int>& layers, const std::map<int, double>& priorities);
 
+  /// Sorts the names of layers, the highest priority first.
+  static void SortLayers(std::vector<int>& layers, const std::map<int, double>& priorities);
+
   bool WasComputed() const { return this->Computed; }
   int GetNumberOfLayers() const { return this->NumberOfLayers; }
   /// Return the counts of the last order of visibility.

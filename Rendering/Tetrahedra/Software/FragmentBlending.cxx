@@ -166,4 +166,40 @@ FragmentBlending::Pixel FragmentBlending::Resolve(const Pixel& sum)
   return { { sum[0] * scale, sum[1] * scale, sum[2] * scale, opacity } };
 }
 
+FragmentBlending::Pixel FragmentBlending::Finish(const Pixel& sum, const TetrahedraFrame& frame)
+{
+  switch (frame.Blend)
+  {
+    case TetrahedraFrame::ADDITIVE:
+    {
+      Pixel pixel = sum;
+      for (float& channel : pixel)
+      {
+        channel = std::min(channel, 1.0f);
+      }
+      return pixel;
+    }
+    case TetrahedraFrame::OPTICAL_DEPTH:
+      return Resolve(sum);
+    case TetrahedraFrame::MAXIMUM:
+    {
+      if (frame.Fields->Kind != TetrahedraFields::SCALARS)
+      {
+        return sum;
+      }
+      if (sum[0] < 0.0f)
+      {
+        return { { 0.0f, 0.0f, 0.0f, 0.0f } };
+      }
+      const float value = std::min(sum[0], 1.0f);
+      const PiecewiseLinearTransfer& pieces = *frame.Pieces;
+      const PiecewiseLinearTransfer::Sample sample = pieces.Evaluate(pieces.Find(value), value);
+      const float opacity = std::min(sample[3] / static_cast<float>(frame.ExtinctionUnit), 1.0f);
+      return { { sample[0] * opacity, sample[1] * opacity, sample[2] * opacity, opacity } };
+    }
+    default:
+      return sum;
+  }
+}
+
 }

@@ -52,6 +52,12 @@ public:
   static Pixel Resolve(const Pixel& sum);
 
   /**
+   * Returns colour times opacity of what the blend mode of \a frame has put into a pixel; layers
+   * are resolved one by one before.
+   */
+  static Pixel Finish(const Pixel& sum, const TetrahedraFrame& frame);
+
+  /**
    * Calls visit(pixel, i, run) for every segment that has a length.
    */
   template <typename Visit>

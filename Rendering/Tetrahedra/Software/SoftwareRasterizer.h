@@ -37,7 +37,8 @@ public:
     return true;
   }
 
-  /// Returns RGBA row by row from below, colour multiplied by opacity; not for SELECTION.
+  /// Returns RGBA row by row from below, colour multiplied by opacity, or sums where the frame asks
+  /// for them; not for SELECTION.
   const std::vector<float>& GetColors() const { return this->Colors; }
   /// Return the tetrahedron plus 1 of each pixel, 0 where there is none, and its depth, for
   /// SELECTION.

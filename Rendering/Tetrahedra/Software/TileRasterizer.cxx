@@ -480,39 +480,13 @@ void TileRasterizer::Finish()
   {
     this->Flush();
   }
+  if (this->Frame.IsSum)
+  {
+    return;
+  }
   for (Pixel& pixel : this->Pixels)
   {
-    switch (this->Frame.Blend)
-    {
-      case Blends::ADDITIVE:
-        for (float& channel : pixel)
-        {
-          channel = std::min(channel, 1.0f);
-        }
-        break;
-      case Blends::OPTICAL_DEPTH:
-        pixel = FragmentBlending::Resolve(pixel);
-        break;
-      case Blends::MAXIMUM:
-        if (this->Channels.HasScalars)
-        {
-          const float largest = pixel[0];
-          pixel = { { 0.0f, 0.0f, 0.0f, 0.0f } };
-          if (largest >= 0.0f)
-          {
-            const float value = std::min(largest, 1.0f);
-            const PiecewiseLinearTransfer& pieces = *this->Frame.Pieces;
-            const PiecewiseLinearTransfer::Sample sample =
-              pieces.Evaluate(pieces.Find(value), value);
-            const float opacity =
-              std::min(sample[3] / static_cast<float>(this->Frame.ExtinctionUnit), 1.0f);
-            pixel = { { sample[0] * opacity, sample[1] * opacity, sample[2] * opacity, opacity } };
-          }
-        }
-        break;
-      default:
-        break;
-    }
+    pixel = FragmentBlending::Finish(pixel, this->Frame);
   }
 }
 

@@ -4,23 +4,35 @@
 #include "vtkSceneDepth.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 namespace interlume
 {
 
-void TetrahedraDepth::Read(
-  vtkRenderer* renderer, const TetrahedraView& view, int stride, bool isCutByFarPlane)
+bool TetrahedraDepth::Read(vtkRenderer* renderer)
 {
-  std::array<int, 2> size{ { 0, 0 } };
+  const bool isDrawn = vtkSceneDepth::Read(renderer, this->Buffer, this->Size) &&
+    std::any_of(this->Buffer.begin(), this->Buffer.end(), [](float value) { return value < 1.0f; });
+  if (!isDrawn)
+  {
+    this->Buffer.clear();
+  }
+  return isDrawn;
+}
+
+void TetrahedraDepth::SetBuffer(const std::vector<float>& depths, const std::array<int, 2>& size)
+{
+  this->Buffer = depths;
+  this->Size = size;
+}
+
+void TetrahedraDepth::Place(const TetrahedraView& view, int stride, bool isCutByFarPlane)
+{
   this->Depths.clear();
   const std::array<double, 2>& depthOfBuffer = view.GetDepthOfBuffer();
   const auto nothing = isCutByFarPlane ? static_cast<float>(depthOfBuffer[0] + depthOfBuffer[1])
                                        : std::numeric_limits<float>::lowest();
-  if (!vtkSceneDepth::Read(renderer, this->Buffer, size) ||
-    std::all_of(
-      this->Buffer.begin(), this->Buffer.end(), [](float value) { return value >= 1.0f; }))
+  if (this->Buffer.empty())
   {
     this->Depths.assign(
       isCutByFarPlane ? static_cast<std::size_t>(view.GetWidth()) * view.GetHeight() : 0, nothing);
@@ -29,11 +41,11 @@ void TetrahedraDepth::Read(
   this->Depths.reserve(static_cast<std::size_t>(view.GetWidth()) * view.GetHeight());
   for (int y = 0; y < view.GetHeight(); ++y)
   {
-    const int row = std::min(y * stride + stride / 2, size[1] - 1);
+    const int row = std::min(y * stride + stride / 2, this->Size[1] - 1);
     for (int x = 0; x < view.GetWidth(); ++x)
     {
-      const int column = std::min(x * stride + stride / 2, size[0] - 1);
-      const double value = this->Buffer[static_cast<std::size_t>(row) * size[0] + column];
+      const int column = std::min(x * stride + stride / 2, this->Size[0] - 1);
+      const double value = this->Buffer[static_cast<std::size_t>(row) * this->Size[0] + column];
       this->Depths.push_back(
         value >= 1.0 ? nothing : static_cast<float>(depthOfBuffer[0] + depthOfBuffer[1] * value));
     }
