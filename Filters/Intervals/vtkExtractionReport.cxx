@@ -4,7 +4,17 @@
 #include "Common/NamedValue.h"
 
 #include <algorithm>
+#include <numeric>
 #include <ostream>
+
+double vtkExtractionReport::GetBalance() const
+{
+  const std::vector<vtkIdType>& cells = this->CellsOfRanks;
+  const double sum = std::accumulate(cells.begin(), cells.end(), 0.0);
+  return sum > 0.0 ? static_cast<double>(*std::max_element(cells.begin(), cells.end())) *
+      static_cast<double>(cells.size()) / sum
+                   : 0.0;
+}
 
 void vtkExtractionReport::Add(const vtkExtractionReport& other)
 {
@@ -39,4 +49,13 @@ void vtkExtractionReport::Print(ostream& os, vtkIndent indent) const
       { "WarpedFaces", this->WarpedFaces }, { "ArraysInterpolated", this->ArraysInterpolated },
       { "ArraysCopied", this->ArraysCopied }, { "Passes", this->Passes },
       { "WorkingBytes", this->WorkingBytes } });
+  for (std::size_t rank = 0; rank < this->CellsOfRanks.size(); ++rank)
+  {
+    os << indent << "CellsWithOutput of process " << rank << ": " << this->CellsOfRanks[rank]
+       << "\n";
+  }
+  if (!this->CellsOfRanks.empty())
+  {
+    os << indent << "Balance: " << this->GetBalance() << "\n";
+  }
 }

@@ -6,6 +6,8 @@
 #include "vtkIndent.h"
 #include "vtkType.h"
 
+#include <vector> // for what each process did
+
 /**
  * @class   vtkExtractionReport
  * @brief   what the last execution of an extraction filter did
@@ -54,6 +56,14 @@ struct INTERLUMEINTERVALS_EXPORT vtkExtractionReport
   int Passes = 0;
   /// The largest number of bytes of working memory held, input and output not counted.
   vtkIdType WorkingBytes = 0;
+  /// Of processes that each extract their piece, where the filter's ReportBalance is on: the number
+  /// of cells with output of each, the same in all of them. Empty where it is off, and for one
+  /// process.
+  std::vector<vtkIdType> CellsOfRanks;
+
+  /// Returns the most cells with output that one process has over the mean of all: 1 where all have
+  /// as many, the number of processes where one has all; 0 where none has any, or nothing is known.
+  double GetBalance() const;
 
   /// Adds the counts of cells and simplices; keeps the larger of the other numbers.
   void Add(const vtkExtractionReport& other);

@@ -43,4 +43,5 @@ void vtkIntervalAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   this->Intervals.Print(os, indent);
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "WarnOnEmptyOutput: " << this->WarnOnEmptyOutput << "\n";
+  os << indent << "ReportBalance: " << this->ReportBalance << "\n";
 }

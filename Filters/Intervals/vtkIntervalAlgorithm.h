@@ -55,6 +55,20 @@ public:
   vtkBooleanMacro(WarnOnEmptyOutput, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether the processes of the global controller tell each other at the end of an execution how
+   * many cells gave output: in the report's CellsOfRanks, and as field arrays of the first output,
+   * `CellsOfProcesses` and `LoadBalance`, the most over the mean. Then all processes have to
+   * execute, each asked for its piece; an empty piece, an error in here or an abort does not keep
+   * the others waiting, an error of a filter before this one in some of them does. With one
+   * process, or other pieces, nothing is done. Default off.
+   */
+  vtkSetMacro(ReportBalance, bool);
+  vtkGetMacro(ReportBalance, bool);
+  vtkBooleanMacro(ReportBalance, bool);
+  ///@}
+
 protected:
   vtkIntervalAlgorithm();
   ~vtkIntervalAlgorithm() override = default;
@@ -73,6 +87,7 @@ private:
   vtkIntervalList Intervals;
   int OutputPointsPrecision = DEFAULT_PRECISION;
   bool WarnOnEmptyOutput = true;
+  bool ReportBalance = false;
 };
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "Common/IntervalCheck.h"
 #include "Grid/WholeCells.h"
+#include "Output/ProcessBalance.h"
 #include "Static/EmptyResult.h"
 #include "Static/Extraction.h"
 #include "Static/ExtractionArrays.h"
@@ -43,7 +44,7 @@ vtkIntervalVolume::vtkIntervalVolume()
   , Empty(std::make_unique<interlume::EmptyResult>())
 {
   this->AddObserver(vtkCommand::StartEvent, this, &vtkIntervalVolume::BeginExecution);
-  this->AddObserver(vtkCommand::EndEvent, this, &vtkIntervalVolume::WarnIfEmpty);
+  this->AddObserver(vtkCommand::EndEvent, this, &vtkIntervalVolume::EndExecution);
   this->SetNumberOfOutputPorts(2);
 }
 
@@ -274,11 +275,20 @@ void vtkIntervalVolume::BeginExecution()
   this->Empty->Enter();
 }
 
-void vtkIntervalVolume::WarnIfEmpty()
+void vtkIntervalVolume::EndExecution()
 {
   if (!this->Empty->Leave())
   {
     return;
+  }
+  if (this->IsFirstRun)
+  {
+    // There was no dataset at all.
+    this->Report = vtkExtractionReport();
+  }
+  if (this->GetReportBalance())
+  {
+    interlume::ProcessBalance::Gather(this, this->Report);
   }
   this->WarnOfEmptyOutput(
     this->Empty->Explain(this, this->GetNumberOfIntervals() == 0 ? "no interval is set." : "",

@@ -228,7 +228,7 @@ private:
   ///@{
   /// Begins and ends an execution, over one dataset or over all.
   void BeginExecution();
-  void WarnIfEmpty();
+  void EndExecution();
   ///@}
 
   std::vector<Criterion> Criteria;

@@ -2,6 +2,7 @@
 #include "vtkIsotableContour.h"
 
 #include "Common/IntervalCheck.h"
+#include "Output/ProcessBalance.h"
 #include "Static/EmptyResult.h"
 #include "Static/Extraction.h"
 #include "Static/ExtractionArrays.h"
@@ -29,7 +30,7 @@ vtkIsotableContour::vtkIsotableContour()
   , Empty(std::make_unique<interlume::EmptyResult>())
 {
   this->AddObserver(vtkCommand::StartEvent, this, &vtkIsotableContour::BeginExecution);
-  this->AddObserver(vtkCommand::EndEvent, this, &vtkIsotableContour::WarnIfEmpty);
+  this->AddObserver(vtkCommand::EndEvent, this, &vtkIsotableContour::EndExecution);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
@@ -154,11 +155,20 @@ void vtkIsotableContour::BeginExecution()
   this->Empty->Enter();
 }
 
-void vtkIsotableContour::WarnIfEmpty()
+void vtkIsotableContour::EndExecution()
 {
   if (!this->Empty->Leave())
   {
     return;
+  }
+  if (this->IsFirstRun)
+  {
+    // There was no dataset at all.
+    this->Report = vtkExtractionReport();
+  }
+  if (this->ReportBalance)
+  {
+    interlume::ProcessBalance::Gather(this, this->Report);
   }
   const std::string why = this->Empty->Explain(this, this->Values.empty() ? "no value is set." : "",
     interlume::EmptyResult::Describe(this->Values));
@@ -180,6 +190,7 @@ void vtkIsotableContour::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "UseValueIndex: " << this->UseValueIndex << "\n";
   os << indent << "WarnOnEmptyOutput: " << this->WarnOnEmptyOutput << "\n";
+  os << indent << "ReportBalance: " << this->ReportBalance << "\n";
   os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

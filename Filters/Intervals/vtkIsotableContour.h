@@ -102,6 +102,16 @@ public:
   vtkBooleanMacro(WarnOnEmptyOutput, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether the processes of the global controller tell each other at the end of an execution how
+   * many cells gave output, as in vtkIntervalVolume. Default off.
+   */
+  vtkSetMacro(ReportBalance, bool);
+  vtkGetMacro(ReportBalance, bool);
+  vtkBooleanMacro(ReportBalance, bool);
+  ///@}
+
   int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
     vtkInformationVector* outputs, int port, vtkMTimeType* time) override;
 
@@ -121,7 +131,7 @@ protected:
   ///@{
   /// Begins and ends an execution, over one dataset or over all.
   void BeginExecution();
-  void WarnIfEmpty();
+  void EndExecution();
   ///@}
 
 private:
@@ -132,6 +142,7 @@ private:
   int OutputPointsPrecision = DEFAULT_PRECISION;
   bool UseValueIndex = true;
   bool WarnOnEmptyOutput = true;
+  bool ReportBalance = false;
   vtkExtractionReport Report;
   /// Whether the next RequestData is the first of an execution.
   bool IsFirstRun = true;

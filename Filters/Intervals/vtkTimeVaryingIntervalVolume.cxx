@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTimeVaryingIntervalVolume.h"
 
+#include "Output/ProcessBalance.h"
 #include "Static/EmptyResult.h"
 #include "Static/ExtractionInput.h"
 #include "Static/GhostCells.h"
@@ -228,6 +229,19 @@ bool vtkTimeVaryingIntervalVolume::Begin(bool copiesSteps)
 int vtkTimeVaryingIntervalVolume::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  this->TakeStep(request, inputs, outputs);
+  // However many steps a process takes, each comes to one end.
+  const bool isEnd = !request->Has(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
+  if (isEnd && this->GetReportBalance())
+  {
+    interlume::ProcessBalance::Gather(this, this->Report);
+  }
+  return 1;
+}
+
+void vtkTimeVaryingIntervalVolume::TakeStep(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
   vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
   vtkDataObject* made[NumberOfPorts];
   for (int port = 0; port < NumberOfPorts; ++port)
@@ -237,12 +251,13 @@ int vtkTimeVaryingIntervalVolume::RequestData(
   this->IsFilled = false;
   if (!this->Run && this->GetNumberOfIntervals() == 0)
   {
+    this->Report = vtkTimeVaryingReport();
     this->WarnOfEmptyOutput(interlume::EmptyResult().Explain(this, "no interval is set.", ""));
-    return 1;
+    return;
   }
   if (!this->Run && !this->Begin(false))
   {
-    return 1;
+    return;
   }
   interlume::TimeVaryingRun::Results result;
   const std::string wrong = this->Run->AddStep(input, result);
@@ -251,13 +266,13 @@ int vtkTimeVaryingIntervalVolume::RequestData(
     // The values of the step before are lost: its time is asked for again.
     this->Begin(true);
     request->Set(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING(), 1);
-    return 1;
+    return;
   }
   if (result == interlume::TimeVaryingRun::DONE && !this->Run->IsFinished() &&
     !this->GetAbortExecute())
   {
     request->Set(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING(), 1);
-    return 1;
+    return;
   }
   request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
   const std::unique_ptr<interlume::TimeVaryingRun> run = std::move(this->Run);
@@ -289,7 +304,6 @@ int vtkTimeVaryingIntervalVolume::RequestData(
   {
     this->WarnOfEmptyOutput(this->ExplainEmpty(*run));
   }
-  return 1;
 }
 
 std::string vtkTimeVaryingIntervalVolume::ExplainEmpty(interlume::TimeVaryingRun& run)

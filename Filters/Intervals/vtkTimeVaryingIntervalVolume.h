@@ -201,6 +201,8 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  /// Takes one time step, asks for the next, or fills the outputs.
+  void TakeStep(vtkInformation*, vtkInformationVector**, vtkInformationVector*);
 
   /// Returns why times cannot be used, or nothing.
   std::string CheckTimes(const std::vector<double>& times) const;

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pieces of a parallel run give the same simplices, as a set, as one process.
+"""The pieces of a parallel run give the same simplices, as a set, as one process, and tell how they share
+the work.
 
 Arguments: `write` or `compare`, and the file of simplices that one process wrote.
 """
@@ -51,6 +52,19 @@ def differences(expected, rows):
     return tuple(sum((counted[a] - counted[1 - a]).values()) for a in (0, 1))
 
 
+def check_balance(checks, name, volume, ranks):
+    """What the Information panel shows of the balance."""
+    fields = volume.FieldData
+    if ranks == 1:
+        checks.equal(fields["LoadBalance"], None, f"{name}: balance of one process")
+        return
+    least, most = fields["CellsOfProcesses"].GetRange()
+    balance, same = fields["LoadBalance"].GetRange()
+    checks.equal(balance, same, f"{name}: the balance is the same in all processes")
+    print(f"{name}: {least:.0f} to {most:.0f} cells of a process, balance {balance:.3f}")
+    checks.that(0 < least <= most and 1.0 <= balance <= ranks, f"{name}: balance {balance}")
+
+
 def main():
     mode, path = sys.argv[1:]
     load_plugin()
@@ -58,10 +72,12 @@ def main():
     found = {}
     ranks = servermanager.ActiveConnection.GetNumberOfDataPartitions()
     for name, volume, port in volumes(mode):
+        volume.ReportLoadBalance = True
         pieces = [simplices(fetch(volume, port, rank)) for rank in range(ranks)]
         print(f"{name}: simplices of each process:", *map(len, pieces), flush=True)
         checks.that(all(map(len, pieces)), f"{name} has simplices in every process")
         found[name] = as_set(numpy.concatenate(pieces))
+        check_balance(checks, name, volume, ranks)
     if mode == "write":
         checks.equal(ranks, 1, "processes that write")
         numpy.savez(path, **found)
