@@ -30,10 +30,6 @@ set(plugin_environment
   "PYTHONDONTWRITEBYTECODE=1"
   "LD_LIBRARY_PATH=${paraview_libraries}"
   ${interlume_mpi_environment})
-set(pieces_file "${CMAKE_CURRENT_BINARY_DIR}/pieces.npz")
-set(piece_shadows_file "${CMAKE_CURRENT_BINARY_DIR}/piece_shadows.npz")
-set(piece_blends_file "${CMAKE_CURRENT_BINARY_DIR}/piece_blends.npz")
-set(flow_pieces_file "${CMAKE_CURRENT_BINARY_DIR}/flow_pieces.npz")
 set(server_file "${CMAKE_CURRENT_BINARY_DIR}/server.npz")
 
 # ParaView 6.1, without the plugin too, warns of textures that it leaves active where it has drawn two
@@ -53,6 +49,17 @@ endfunction ()
 set(script "${CMAKE_CURRENT_SOURCE_DIR}")
 set(batch "${PVBATCH}" --force-offscreen-rendering)
 set(ranks "${MPIEXEC_EXECUTABLE}" ${MPIEXEC_NUMPROC_FLAG} 4)
+
+# plugin_pieces_test(ONE PIECES KIND): what the script PIECES writes in one process it compares in four.
+function (plugin_pieces_test one pieces kind)
+  set(file "${CMAKE_CURRENT_BINARY_DIR}/${pieces}.npz")
+  plugin_test(${one} "paraview;${kind}" ${batch} "${script}/${pieces}.py" write "${file}")
+  plugin_test(${pieces} "paraview;mpi;${kind}"
+    ${ranks} ${batch} "${script}/${pieces}.py" compare "${file}")
+  set_tests_properties(${one} PROPERTIES FIXTURES_SETUP ${pieces})
+  set_tests_properties(${pieces} PROPERTIES FIXTURES_REQUIRED ${pieces} RUN_SERIAL ON)
+endfunction ()
+
 plugin_test(TestPluginData "paraview;value" ${batch} "${script}/TestPluginData.py")
 plugin_test(TestPluginNumbers "paraview;value" ${batch} "${script}/TestPluginNumbers.py")
 plugin_test(TestPluginProperties "paraview;value" ${batch} "${script}/TestPluginProperties.py")
@@ -69,19 +76,8 @@ plugin_test(TestPluginFlow "paraview;value" ${batch} "${script}/TestPluginFlow.p
 plugin_test(TestPluginFlowDefaults "paraview;value" ${batch} "${script}/TestPluginFlowDefaults.py")
 plugin_test(TestPluginFlowProperties "paraview;value"
   ${batch} "${script}/TestPluginFlowProperties.py")
-plugin_test(TestPluginOnePiece "paraview;value"
-  ${batch} "${script}/TestPluginPieces.py" write "${pieces_file}")
-plugin_test(TestPluginPieces "paraview;mpi;value"
-  ${ranks} ${batch} "${script}/TestPluginPieces.py" compare "${pieces_file}")
-set_tests_properties(TestPluginOnePiece PROPERTIES FIXTURES_SETUP one_piece)
-set_tests_properties(TestPluginPieces PROPERTIES FIXTURES_REQUIRED one_piece RUN_SERIAL ON)
-plugin_test(TestPluginFlowOnePiece "paraview;value"
-  ${batch} "${script}/TestPluginFlowPieces.py" write "${flow_pieces_file}")
-plugin_test(TestPluginFlowPieces "paraview;mpi;value"
-  ${ranks} ${batch} "${script}/TestPluginFlowPieces.py" compare "${flow_pieces_file}")
-set_tests_properties(TestPluginFlowOnePiece PROPERTIES FIXTURES_SETUP flow_one_piece)
-set_tests_properties(TestPluginFlowPieces PROPERTIES
-  FIXTURES_REQUIRED flow_one_piece RUN_SERIAL ON)
+plugin_pieces_test(TestPluginOnePiece TestPluginPieces value)
+plugin_pieces_test(TestPluginFlowOnePiece TestPluginFlowPieces value)
 plugin_test(TestPluginPicture "paraview;image"
   ${batch} "${script}/TestPluginPicture.py" "${CMAKE_CURRENT_BINARY_DIR}/TestPluginPicture.png")
 plugin_test(TestPluginBlankView "paraview;image"
@@ -105,20 +101,8 @@ plugin_test(TestPluginSceneShadows "paraview;image"
 plugin_test(TestPluginShadowedSlicesPieces "paraview;mpi;image"
   ${ranks} ${batch} "${script}/TestPluginShadowedSlices.py" "${CMAKE_CURRENT_BINARY_DIR}" distributed)
 set_tests_properties(TestPluginShadowedSlicesPieces PROPERTIES RUN_SERIAL ON)
-plugin_test(TestPluginOnePieceShadows "paraview;image"
-  ${batch} "${script}/TestPluginPieceShadows.py" write "${piece_shadows_file}")
-plugin_test(TestPluginPieceShadows "paraview;mpi;image"
-  ${ranks} ${batch} "${script}/TestPluginPieceShadows.py" compare "${piece_shadows_file}")
-set_tests_properties(TestPluginOnePieceShadows PROPERTIES FIXTURES_SETUP one_piece_shadows)
-set_tests_properties(TestPluginPieceShadows PROPERTIES
-  FIXTURES_REQUIRED one_piece_shadows RUN_SERIAL ON)
-plugin_test(TestPluginOnePieceBlends "paraview;image"
-  ${batch} "${script}/TestPluginPieceBlends.py" write "${piece_blends_file}")
-plugin_test(TestPluginPieceBlends "paraview;mpi;image"
-  ${ranks} ${batch} "${script}/TestPluginPieceBlends.py" compare "${piece_blends_file}")
-set_tests_properties(TestPluginOnePieceBlends PROPERTIES FIXTURES_SETUP one_piece_blends)
-set_tests_properties(TestPluginPieceBlends PROPERTIES
-  FIXTURES_REQUIRED one_piece_blends RUN_SERIAL ON)
+plugin_pieces_test(TestPluginOnePieceShadows TestPluginPieceShadows image)
+plugin_pieces_test(TestPluginOnePieceBlends TestPluginPieceBlends image)
 plugin_test(TestPluginRepresentationPieces "paraview;mpi;image"
   ${ranks} ${batch} "${script}/TestPluginRepresentation.py" "${CMAKE_CURRENT_BINARY_DIR}" distributed)
 set_tests_properties(TestPluginRepresentationPieces PROPERTIES RUN_SERIAL ON)

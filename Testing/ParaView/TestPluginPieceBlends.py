@@ -3,7 +3,8 @@
 
 Each process draws its piece. Composite is put together in the order of the pieces; the other modes need
 no order, and are summed up before they become a picture. Compared are pieces that fill boxes beside each
-other, point and cell colours, an extent in time, and an opaque surface that stands in all pieces.
+other, point and cell colours, an extent in time, and an opaque surface that stands in all pieces; and of
+Shadowed Slices the one mode that it has, without shading and shadows, which TestPluginPieceShadows compares.
 
 Arguments: `write` or `compare`, and the file of the pictures of one process."""
 
@@ -60,12 +61,34 @@ def set_functions(display, ends):
     display.ScalarOpacityFunction.Points = opacities
 
 
+def make_view():
+    view = plain_view()
+    view.UseFXAA = False  # it makes more of a step of 1/255 where that is across its threshold
+    return view
+
+
+def draw_slices():
+    view = make_view()
+    display = simple.Show(open_data("wavelet"), view)
+    display.SetRepresentationType("Shadowed Slices")
+    color_by(display, ["POINTS", "RTData"])
+    display.SetScalarBarVisibility(view, False)
+    set_functions(display, (40.0, 280.0))
+    settings = {
+        "ShadowedOpacityUnitDistance": 4.0, "ShadowedShade": False, "Shadows": False,
+        "AutoAdjustSampleDistances": False, "Opacity": 1.0}
+    set_properties(display, settings)
+    look_at(view)
+    shot = snapshot(view)
+    simple.Delete(view)
+    return shot
+
+
 def draw(scene):
     """The pictures of a scene, by their blend modes, each with what the representation warned of."""
     make, array, ends, unit, radius, _ = scene
     volume = make()
-    view = plain_view()
-    view.UseFXAA = False  # it makes more of a step of 1/255 where that is across its threshold
+    view = make_view()
     if radius > 0.0:
         simple.Show(simple.Sphere(Radius=radius, ThetaResolution=40, PhiResolution=40), view)
     display = simple.Show(volume, view)
@@ -119,8 +142,12 @@ def main():
             checks.equal(said, [], f"{name}, warnings")
             if mode == "compare":
                 compare(checks, name, shot, whole[name], is_ordered(values, blend))
+    found["slices"] = draw_slices()
+    checks.that(share_shown(found["slices"]) >= SMALLEST_SHARE, "slices show something")
     if mode == "write":
         numpy.savez(path, **found)
+    else:
+        compare(checks, "slices", found["slices"], whole["slices"], True)
     checks.finish()
 
 
