@@ -225,19 +225,18 @@ void vtkIntervalVolumeRepresentation::KeepPieces(vtkInformation* view)
   const int blend = this->Mapper->GetBlendMode();
   const bool isOrdered = blend == vtkUnstructuredGridVolumeMapper::COMPOSITE_BLEND ||
     (blend == vtkTimeWeightedTetrahedraMapper::AUTOMATIC_BLEND && !this->AreInTime);
-  // ParaView makes points one that are at the same place, also of different times.
-  if (isOrdered && !this->AreApart && !this->AreInTime && vtkGridExchange::IsPossible())
-  {
-    return;
-  }
-  if (!isOrdered && vtkGridExchange::IsPossible() && !vtkPieceProcesses::HaveDisplays())
+  if (this->AreApart || !vtkGridExchange::IsPossible())
   {
     vtkPVRenderView::SetOrderedCompositingConfiguration(
-      view, this, vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
-    return;
+      view, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION, this->DataBounds);
   }
-  vtkPVRenderView::SetOrderedCompositingConfiguration(
-    view, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION, this->DataBounds);
+  else if (!isOrdered || this->AreInTime)
+  {
+    // Surfaces are put in order, pieces stay: ParaView would make points one that are at the same
+    // place at different times.
+    vtkPVRenderView::SetOrderedCompositingConfiguration(
+      view, this, vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
+  }
 }
 
 void vtkIntervalVolumeRepresentation::GatherPieces(bool isReduced)

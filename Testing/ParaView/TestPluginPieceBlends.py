@@ -37,6 +37,15 @@ def wavelet_intervals():
     return interval_volume(open_data("wavelet"), "RTData", WAVELET_INTERVALS)
 
 
+def corner_intervals():
+    """Only one of the pieces has cells."""
+    corner = simple.Clip(Input=open_data("wavelet"), Invert=True)
+    corner.ClipType.Origin = [-6.0, -6.0, -6.0]
+    corner.ClipType.Normal = [1.0, 1.0, 1.0]
+    corner.UpdatePipeline()
+    return interval_volume(corner, "RTData", [(40.0, 100.0), (100.0, 180.0)])
+
+
 def intervals_in_time():
     return time_varying_volume(temporal_source("AnalyticField", FIELD), IN_TIME)
 
@@ -48,6 +57,7 @@ SCENES = {
     "cells": (wavelet_intervals, ["CELLS", "IntervalId"], (0.0, 2.0), 4.0, 0.0, False),
     "solid": (wavelet_intervals, None, None, 8.0, 0.0, False),
     "surface": (wavelet_intervals, ["POINTS", "RTData"], (100.0, 230.0), 4.0, 6.0, False),
+    "corner": (corner_intervals, ["POINTS", "RTData"], (40.0, 180.0), 2.0, 0.0, False),
     "in time": (intervals_in_time, ["CELLS", "IntervalId"], (0.0, 1.0), 0.02, 0.0, True),
 }
 
@@ -65,6 +75,22 @@ def make_view():
     view = plain_view()
     view.UseFXAA = False  # it makes more of a step of 1/255 where that is across its threshold
     return view
+
+
+def draw_nothing():
+    """A volume without cells."""
+    volume = interval_volume(open_data("wavelet"), "RTData", [(1000.0, 1001.0)])
+    with warnings_of(volume):
+        volume.UpdatePipeline()
+    view = make_view()
+    display = simple.Show(volume, view)
+    display.SetRepresentationType(REPRESENTATION)
+    shots = []
+    for blend in BLENDS:
+        display.IntervalBlendMode = blend
+        shots.append(snapshot(view))
+    simple.Delete(view)
+    return numpy.array(shots)
 
 
 def draw_slices():
@@ -142,6 +168,7 @@ def main():
             checks.equal(said, [], f"{name}, warnings")
             if mode == "compare":
                 compare(checks, name, shot, whole[name], is_ordered(values, blend))
+    checks.equal(draw_nothing().max(), 0, "what a volume without cells shows")
     found["slices"] = draw_slices()
     checks.that(share_shown(found["slices"]) >= SMALLEST_SHARE, "slices show something")
     if mode == "write":
