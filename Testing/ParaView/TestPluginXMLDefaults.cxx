@@ -328,6 +328,7 @@ int main(int argc, char* argv[])
   CompareWithXML(folder + "/IntervalVolume.xml", "SourceProxy", "vtkIntervalVolume", "",
     { { "Criteria", "" }, { "GenerateBoundaries", Text(interval->GetGenerateBoundaries()) },
       { "KeepWholeCells", Text(interval->GetKeepWholeCells()) },
+      { "ReportBalance", Text(interval->GetReportBalance()) },
       { "OutputPointsPrecision", Text(interval->GetOutputPointsPrecision()) },
       { "UseValueIndex", Text(interval->GetUseValueIndex()) } });
 
@@ -335,6 +336,7 @@ int main(int argc, char* argv[])
   Check(contour->GetNumberOfContours() == 0, "vtkIsotableContour starts without a value");
   CompareWithXML(folder + "/IsotableContour.xml", "SourceProxy", "vtkIsotableContour", "",
     { { "OutputPointsPrecision", Text(contour->GetOutputPointsPrecision()) },
+      { "ReportBalance", Text(contour->GetReportBalance()) },
       { "UseValueIndex", Text(contour->GetUseValueIndex()) } });
 
   vtkNew<vtkSimplexTimeSlice> slice;
@@ -359,6 +361,7 @@ int main(int argc, char* argv[])
           Text(direction[3]) },
       { "GenerateTetrahedra", Text(inTime->GetGenerateTetrahedra()) }, { "Boundaries", "" },
       { "GenerateSimplices", Text(inTime->GetGenerateSimplices()) },
+      { "ReportBalance", Text(inTime->GetReportBalance()) },
       { "OutputPointsPrecision", Text(inTime->GetOutputPointsPrecision()) } });
 
 #ifdef INTERLUME_ENABLE_TETGEN
