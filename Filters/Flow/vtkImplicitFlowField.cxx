@@ -57,6 +57,13 @@ bool IsEnd(int type, bool isBackward)
     : type == vtkFlowCriticalPoints::SINK || type == vtkFlowCriticalPoints::SPIRAL_SINK;
 }
 
+/// Returns whether data are a grid of rows of cells.
+bool HasRows(vtkDataObject* data)
+{
+  return vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
+    vtkStructuredGrid::SafeDownCast(data);
+}
+
 /// Returns the number of points of the whole field. \a ranks is null where it is not in parts.
 vtkIdType GetNumberOfPoints(vtkDataSet* field, interlume::RankField* ranks)
 {
@@ -312,7 +319,7 @@ int vtkImplicitFlowField::RequestUpdateExtent(
     Pipeline::UPDATE_PIECE_NUMBER(), isInParts ? this->Controller->GetLocalProcessId() : 0);
   field->Set(
     Pipeline::UPDATE_NUMBER_OF_PIECES(), isInParts ? this->Controller->GetNumberOfProcesses() : 1);
-  const bool needsLayer = isInParts && field->Has(Pipeline::WHOLE_EXTENT());
+  const bool needsLayer = isInParts && HasRows(field->Get(vtkDataObject::DATA_OBJECT()));
   field->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), needsLayer ? std::max(1, levels) : 0);
   if (inputs[1]->GetNumberOfInformationObjects() == 0)
   {
@@ -349,8 +356,6 @@ bool vtkImplicitFlowField::IsInParts(
   vtkInformation* field = inputs[0]->GetInformationObject(0);
   vtkDataObject* data = field->Get(vtkDataObject::DATA_OBJECT());
   const auto isPlacedByVectors = [](const auto& surface) { return surface->IsPlacedByVectors(); };
-  const bool hasRows = vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
-    vtkStructuredGrid::SafeDownCast(data);
   if (!interlume::RankExchange::IsPossible(this->Controller))
   {
     reason = "VTK has no DIY for these processes";
@@ -361,11 +366,7 @@ bool vtkImplicitFlowField::IsInParts(
   {
     reason = "the pieces that are asked for are not those of the processes";
   }
-  else if (!hasRows && !vtkUnstructuredGrid::SafeDownCast(data))
-  {
-    reason = "it has blocks";
-  }
-  else if (hasRows &&
+  else if (HasRows(data) &&
     !(field->Has(Pipeline::WHOLE_EXTENT()) &&
       interlume::FieldPart::HasCells(field->Get(Pipeline::WHOLE_EXTENT()))))
   {
@@ -394,28 +395,33 @@ int vtkImplicitFlowField::RequestData(
   // Image data keep their active scalars from one execution to the next.
   output->Initialize();
   const interlume::FieldInput input(vtkDataObject::GetData(inputs[0], 0));
-  const std::string wrong = this->CheckBlocks(input);
-  if (!wrong.empty())
-  {
-    vtkErrorMacro(<< wrong);
-    return 1;
-  }
-  vtkSmartPointer<vtkDataSet> field = input.MakeField();
   std::string reason;
   std::unique_ptr<interlume::RankField> ranks;
-  vtkDataSet* data = field;
   const bool isInParts = this->IsInParts(inputs, outputs, reason);
   if (isInParts && this->IsAskedForWhole(request, reason))
   {
     return 1;
   }
+  std::string wrong = this->CheckBlocks(input);
+  vtkDataObject* given = vtkDataObject::GetData(inputs[0], 0);
   if (isInParts && reason.empty())
   {
     vtkInformation* info = inputs[0]->GetInformationObject(0);
-    const bool hasRows = !vtkUnstructuredGrid::SafeDownCast(field);
     ranks = std::make_unique<interlume::RankField>(this->Controller,
-      hasRows ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()) : nullptr);
-    const std::string lack = ranks->SetData(field, interlume::SampleGrid::MostPoints);
+      HasRows(given) ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()) : nullptr);
+    wrong = ranks->GetExchange().FindFirst(input.HasFlatBlocks() ? std::string() : wrong);
+  }
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong);
+    return 1;
+  }
+  vtkSmartPointer<vtkDataSet> field = ranks ? input.MakePart() : input.MakeField();
+  vtkDataSet* data = field;
+  if (ranks)
+  {
+    const std::string lack = ranks->SetData(
+      field, interlume::SampleGrid::MostPoints, interlume::FieldInput::IsComposite(given));
     if (!lack.empty())
     {
       vtkErrorMacro(<< lack);

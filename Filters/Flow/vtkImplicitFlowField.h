@@ -84,22 +84,24 @@ struct AdvectionOptions;
  * **Pieces.** A sample needs all of the field that its streamline meets: of port 0 the whole is
  * asked for, whatever the piece; samples are those of the piece.
  *
- * **Processes.** Where each process of the controller is asked for its own piece, a field that is
- * one grid stays in parts: each process asks for its piece, of rows of cells with a layer around
- * it, and streamlines go from process to process (VTK's DIY). Answers have the bytes that one
- * process gives them. All processes have to execute at once; an abort in one ends all. Each holds
- * the whole field, and the report says why, for blocks; with CriticalPointSpheres,
- * ShareStreamlines, or a surface that is placed by the vectors; and where VTK has no DIY.
+ * **Processes.** Where each process of the controller is asked for its own piece, the field stays
+ * in parts: each process asks for its piece, of rows of cells with a layer around it, and
+ * streamlines go from process to process (VTK's DIY). Answers have the bytes that one process gives
+ * them. All processes have to execute at once; an abort in one ends all. Each holds the whole
+ * field, and the report says why, with CriticalPointSpheres, ShareStreamlines, or a surface that is
+ * placed by the vectors; and where VTK has no DIY.
  *
- * Of an unstructured grid the parts are the pieces that the source gives, without duplicates of
- * others' cells, and samples at its points are those of the piece. One process is one that has all
- * pieces as one grid: cells in the order of the pieces, and points of several pieces that have the
- * same coordinates, to the last bit, once. The order matters where cells lie within each other, for
- * the numbers of patches (DomainFaces), and for the points that are added to refined cells other
- * than tetrahedra. Each process holds the whole where the source gives all cells to one process, or
- * the same ones to several, and where faces do not fit between pieces, as of tetrahedra that a
- * filter has made in each by itself. This is seen once the pieces are there: the input executes for
- * them, then for the whole, and for that alone until it is modified.
+ * Of an unstructured grid and of blocks the parts are the pieces that the source gives, without
+ * duplicates of others' cells, and samples at its points are those of the piece. Blocks are merged
+ * in each process; where several have a point, the first one's values count. One process is one
+ * that has all pieces as one grid: cells in the order of the pieces, and points of several pieces
+ * that have the same coordinates, to the last bit, once. The order matters where cells lie within
+ * each other, for the numbers of patches (DomainFaces), and for the points that are added to
+ * refined cells other than tetrahedra. Each process holds the whole where the source gives all
+ * cells to one process, or the same ones to several, where blocks of processes differ in arrays,
+ * and where faces do not fit between pieces, as of tetrahedra that a filter has made in each by
+ * itself. This is seen once the pieces are there: the input executes for them, then for the whole,
+ * and for that alone until it is modified.
  *
  * **Checkpoints.** With CheckpointFileName the streamlines that have ended are written to a file
  * while others are followed, and at an abort. An execution that finds the file follows the others

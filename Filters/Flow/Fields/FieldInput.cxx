@@ -64,16 +64,39 @@ vtkSmartPointer<vtkDataSet> FieldInput::MakeField() const
   {
     return this->Whole;
   }
+  if (this->Blocks.size() == 1)
+  {
+    return this->Blocks[0].Data;
+  }
+  return MergedDataSets::Merge(this->GetData());
+}
+
+bool FieldInput::HasFlatBlocks() const
+{
+  return !this->Blocks.empty() && !HasVolume(this->Blocks[0].Data);
+}
+
+vtkSmartPointer<vtkDataSet> FieldInput::MakePart() const
+{
+  if (this->Whole)
+  {
+    return this->Whole;
+  }
+  if (this->Blocks.empty() || this->HasFlatBlocks())
+  {
+    return vtkSmartPointer<vtkUnstructuredGrid>::New();
+  }
+  return MergedDataSets::Merge(this->GetData());
+}
+
+std::vector<vtkDataSet*> FieldInput::GetData() const
+{
   std::vector<vtkDataSet*> parts;
   for (const Block& block : this->Blocks)
   {
     parts.push_back(block.Data);
   }
-  if (parts.size() == 1)
-  {
-    return parts[0];
-  }
-  return MergedDataSets::Merge(parts);
+  return parts;
 }
 
 vtkSmartPointer<vtkDataSet> FieldInput::MakeSamples(vtkDataSet* field) const

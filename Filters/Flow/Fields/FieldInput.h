@@ -35,8 +35,14 @@ public:
   /// Returns the blocks; empty for a dataset, which has none.
   const std::vector<Block>& GetBlocks() const { return this->Blocks; }
 
+  /// Returns whether there are blocks, and all of them are flat.
+  bool HasFlatBlocks() const;
+
   /// Makes the field, merging blocks; null without an input, or without a block.
   vtkSmartPointer<vtkDataSet> MakeField() const;
+  /// Makes this process's part of the field, where others have other blocks: one grid of its
+  /// blocks, without cells where they are none or flat. A dataset is the part itself.
+  vtkSmartPointer<vtkDataSet> MakePart() const;
   /**
    * Makes the dataset whose points are the samples: \a field, or for composite input, whose type is
    * not known before it is there, a vtkUnstructuredGrid of its points and cells.
@@ -47,6 +53,8 @@ public:
   static bool IsComposite(vtkDataObject* input);
 
 private:
+  std::vector<vtkDataSet*> GetData() const;
+
   vtkDataSet* Whole;
   std::vector<Block> Blocks;
 };

@@ -226,12 +226,16 @@ std::string RankField::CheckData(vtkDataSet* data) const
   return {};
 }
 
-std::string RankField::SetData(vtkDataSet* data, vtkIdType few)
+std::string RankField::SetData(vtkDataSet* data, vtkIdType few, bool isOfBlocks)
 {
   if (vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
     this->Data = WithoutDuplicates(WithoutDuplicateCells(grid));
     this->MakeUnstructuredGrid(few);
+    if (isOfBlocks && this->Obstacle.empty())
+    {
+      this->UniteBlocks();
+    }
     this->Part.Whole = this->Whole;
     return {};
   }
@@ -361,6 +365,7 @@ void RankField::MakeUnstructuredGrid(vtkIdType few)
   this->Whole = whole;
   if (this->FirstCells.back() == 0)
   {
+    this->Obstacle = "no process has cells";
     return;
   }
   const std::array<double, 6> bounds = this->FindBounds();
@@ -389,6 +394,43 @@ void RankField::MakeUnstructuredGrid(vtkIdType few)
     points[0] -= repeated[0];
   }
   this->NumberOfPoints = points[0];
+}
+
+void RankField::UniteBlocks()
+{
+  vtkPointData* data = this->Data->GetPointData();
+  std::vector<vtkDataArray*> arrays;
+  std::vector<std::string> names;
+  for (int i = 0; !this->IsEmpty() && i < data->GetNumberOfArrays(); ++i)
+  {
+    if (vtkDataArray* array = data->GetArray(i))
+    {
+      arrays.push_back(array);
+      names.push_back(std::string(array->GetName() ? array->GetName() : "") + " " +
+        array->GetDataTypeAsString() + " " + std::to_string(array->GetNumberOfComponents()) +
+        (array == data->GetVectors() ? " vectors" : ""));
+    }
+  }
+  ArrayRows positions;
+  std::string own;
+  if (!this->IsEmpty())
+  {
+    vtkDataArray* points = vtkPointSet::SafeDownCast(this->Data)->GetPoints()->GetData();
+    positions.Build(points);
+    own = points->GetDataTypeAsString();
+  }
+  for (const std::string& name : names)
+  {
+    own += "; " + name;
+  }
+  const std::string first = this->Exchange.FindFirst(own);
+  if (this->Exchange.IsAnywhere(!own.empty() && own != first))
+  {
+    this->Obstacle = "blocks of processes differ in arrays or types of numbers";
+    return;
+  }
+  SharedPoints::TakeFirst(
+    positions, arrays, this->IsEmpty() ? 0 : this->Data->GetNumberOfPoints(), this->Exchange);
 }
 
 void RankField::FindObstacle()

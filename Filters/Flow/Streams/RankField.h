@@ -47,8 +47,10 @@ public:
 
   /// Takes the data of this process, which are at least those of GetHeld, without the marks of what
   /// is beyond its own cells. Points are counted as far as it matters: whether they are more than
-  /// \a few. Collective. Returns what is wrong in any process, or nothing.
-  std::string SetData(vtkDataSet* data, vtkIdType few);
+  /// \a few. \a isOfBlocks: the data are merged blocks, an unstructured grid that nobody else has,
+  /// and get the first process's values where several have a point. Collective. Returns what is
+  /// wrong in any process, or nothing.
+  std::string SetData(vtkDataSet* data, vtkIdType few, bool isOfBlocks = false);
 
   ///@{
   /// Why the field cannot be in parts, which is seen from the data; nothing if it can. The same in
@@ -77,6 +79,7 @@ private:
   void MakeStructuredGrid(vtkDataSet* data);
   void MakeUnstructuredGrid(vtkIdType few);
   void FindObstacle();
+  void UniteBlocks();
   /// Returns the bounds of the data of all processes.
   std::array<double, 6> FindBounds();
 

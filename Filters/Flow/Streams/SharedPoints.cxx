@@ -5,18 +5,29 @@
 #include "Streams/RankBoxes.h"
 
 #include "vtkBoundingBox.h"
+#include "vtkDataArray.h"
 #include "vtkMath.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <array>
+#include <numeric>
+#include <unordered_map>
 #include <utility>
 
 namespace interlume
 {
 
-std::vector<vtkIdType> SharedPoints::FindRepeated(
-  const std::vector<vtkIdType>& points, const ArrayRows& positions, RankExchange& exchange)
+namespace
+{
+using Bytes = RankExchange::Bytes;
+
+/// Sends points to the processes of higher numbers that may have them: put(bytes, point) adds what
+/// is known of one. take(at, rank, point) reads that, and for each point that is the same one gets
+/// it again; -1 for none.
+template <typename Put, typename Take>
+void Share(const std::vector<vtkIdType>& points, const ArrayRows& positions, RankExchange& exchange,
+  Put&& put, Take&& take)
 {
   using Position = std::array<double, 3>;
   std::vector<std::pair<Position, vtkIdType>> own;
@@ -36,10 +47,9 @@ std::vector<vtkIdType> SharedPoints::FindRepeated(
   box.GetBounds(bounds);
   RankBoxes boxes;
   boxes.Build(exchange, own.empty() ? nullptr : bounds);
-  std::vector<vtkIdType> repeated;
   bool isSent = false;
   exchange.Run(
-    [&](const RankExchange::Bytes& received, std::vector<RankExchange::Bytes>& sent)
+    [&](const Bytes& received, std::vector<Bytes>& sent)
     {
       for (std::size_t i = 0; !isSent && i < own.size(); ++i)
       {
@@ -48,7 +58,10 @@ std::vector<vtkIdType> SharedPoints::FindRepeated(
           {
             if (rank > exchange.GetRank())
             {
-              MessageBytes::Put(sent[static_cast<std::size_t>(rank)], own[i].first);
+              Bytes& bytes = sent[static_cast<std::size_t>(rank)];
+              MessageBytes::Put(bytes, own[i].first);
+              MessageBytes::Put(bytes, exchange.GetRank());
+              put(bytes, own[i].second);
             }
           });
       }
@@ -56,18 +69,76 @@ std::vector<vtkIdType> SharedPoints::FindRepeated(
       for (const char* at = received.data(); at < received.data() + received.size();)
       {
         Position x;
+        int rank = 0;
         MessageBytes::Get(at, x);
+        MessageBytes::Get(at, rank);
+        const char* end = take(at, rank, -1);
         for (auto found = std::lower_bound(own.begin(), own.end(), std::make_pair(x, vtkIdType(0)));
              found != own.end() && found->first == x; ++found)
         {
-          repeated.push_back(found->second);
+          take(at, rank, found->second);
         }
+        at = end;
       }
       return true;
+    });
+}
+}
+
+std::vector<vtkIdType> SharedPoints::FindRepeated(
+  const std::vector<vtkIdType>& points, const ArrayRows& positions, RankExchange& exchange)
+{
+  std::vector<vtkIdType> repeated;
+  Share(
+    points, positions, exchange, [](Bytes&, vtkIdType) {},
+    [&repeated](const char* at, int, vtkIdType point)
+    {
+      if (point >= 0)
+      {
+        repeated.push_back(point);
+      }
+      return at;
     });
   std::sort(repeated.begin(), repeated.end());
   repeated.erase(std::unique(repeated.begin(), repeated.end()), repeated.end());
   return repeated;
+}
+
+void SharedPoints::TakeFirst(const ArrayRows& positions, const std::vector<vtkDataArray*>& arrays,
+  vtkIdType numberOfPoints, RankExchange& exchange)
+{
+  std::vector<vtkIdType> points(static_cast<std::size_t>(numberOfPoints));
+  std::iota(points.begin(), points.end(), 0);
+  const auto getRow = [](vtkDataArray* array, vtkIdType point)
+  { return static_cast<char*>(array->GetVoidPointer(point * array->GetNumberOfComponents())); };
+  const auto getSize = [](vtkDataArray* array)
+  { return static_cast<std::size_t>(array->GetNumberOfComponents() * array->GetDataTypeSize()); };
+  std::unordered_map<vtkIdType, int> firsts;
+  Share(
+    points, positions, exchange,
+    [&](Bytes& bytes, vtkIdType point)
+    {
+      for (vtkDataArray* array : arrays)
+      {
+        const char* row = getRow(array, point);
+        bytes.insert(bytes.end(), row, row + getSize(array));
+      }
+    },
+    [&](const char* at, int rank, vtkIdType point)
+    {
+      int& first = firsts.emplace(point, exchange.GetRank()).first->second;
+      const bool isFirst = point >= 0 && rank < first;
+      first = isFirst ? rank : first;
+      for (vtkDataArray* array : arrays)
+      {
+        if (isFirst)
+        {
+          std::copy_n(at, getSize(array), getRow(array, point));
+        }
+        at += getSize(array);
+      }
+      return at;
+    });
 }
 
 }

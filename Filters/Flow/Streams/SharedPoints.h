@@ -9,6 +9,8 @@
 
 #include <vector>
 
+class vtkDataArray;
+
 namespace interlume
 {
 
@@ -20,6 +22,11 @@ namespace SharedPoints
 /// Collective.
 std::vector<vtkIdType> FindRepeated(
   const std::vector<vtkIdType>& points, const ArrayRows& positions, RankExchange& exchange);
+
+/// Gives points that several processes have the tuples of the first of these: of arrays that lie in
+/// rows, the same ones in the same order in all processes that have points. Collective.
+void TakeFirst(const ArrayRows& positions, const std::vector<vtkDataArray*>& arrays,
+  vtkIdType numberOfPoints, RankExchange& exchange);
 }
 
 }

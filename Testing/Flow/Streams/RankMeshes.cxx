@@ -6,10 +6,14 @@
 
 #include "vtkAnalyticFlowSource.h"
 #include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkMultiBlockDataSetAlgorithm.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -55,6 +59,42 @@ protected:
   }
 };
 vtkStandardNewMacro(AnyPieceSource);
+
+class BlockSource : public vtkMultiBlockDataSetAlgorithm
+{
+public:
+  static BlockSource* New();
+  vtkTypeMacro(BlockSource, vtkMultiBlockDataSetAlgorithm);
+
+  std::vector<vtkSmartPointer<vtkDataSet>> Blocks;
+
+protected:
+  BlockSource() { this->SetNumberOfInputPorts(0); }
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+    return 1;
+  }
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    using Pipeline = vtkStreamingDemandDrivenPipeline;
+    vtkInformation* info = outputs->GetInformationObject(0);
+    const int piece = info->Get(Pipeline::UPDATE_PIECE_NUMBER());
+    const int pieces = std::max(1, info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
+    const auto number = static_cast<int>(this->Blocks.size());
+    vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(info);
+    output->SetNumberOfBlocks(static_cast<unsigned int>(number));
+    for (int i = number * piece / pieces; i < number * (piece + 1) / pieces; ++i)
+    {
+      output->SetBlock(static_cast<unsigned int>(i), this->Blocks[static_cast<std::size_t>(i)]);
+    }
+    return 1;
+  }
+};
+vtkStandardNewMacro(BlockSource);
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> RankMeshes::Make(reference::MeshKind kind,
@@ -153,5 +193,35 @@ vtkAlgorithm* RankMeshes::MakeSource(const GetPiece& getPiece)
 {
   AnyPieceSource* source = AnyPieceSource::New();
   source->GetPiece = getPiece;
+  return source;
+}
+
+vtkAlgorithm* RankMeshes::MakeBlockSource(vtkUnstructuredGrid* mesh, int blocks, bool hasOwnArrays)
+{
+  BlockSource* source = BlockSource::New();
+  for (int i = 0; i < blocks; ++i)
+  {
+    const auto block = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    block->DeepCopy(MakePiece(mesh, i, blocks, 0));
+    vtkDataArray* vectors = block->GetPointData()->GetVectors();
+    for (vtkIdType point = 0; point < vectors->GetNumberOfTuples(); ++point)
+    {
+      vectors->SetComponent(point, 0, vectors->GetComponent(point, 0) + 0.01 * i);
+    }
+    if (hasOwnArrays && 2 * i + 2 < blocks)
+    {
+      const auto copy = vtk::TakeSmartPointer(vectors->NewInstance());
+      copy->DeepCopy(vectors);
+      copy->SetName("Own");
+      block->GetPointData()->AddArray(copy);
+    }
+    source->Blocks.push_back(block);
+  }
+  vtkNew<vtkUnstructuredGrid> flat;
+  flat->SetPoints(mesh->GetPoints());
+  const vtkIdType corners[3] = { 0, 1, 2 };
+  flat->Allocate(1);
+  flat->InsertNextCell(VTK_TRIANGLE, 3, corners);
+  source->Blocks.insert(source->Blocks.begin(), flat.GetPointer());
   return source;
 }

@@ -41,6 +41,10 @@ vtkSmartPointer<vtkUnstructuredGrid> MakePiece(
 using GetPiece = std::function<vtkSmartPointer<vtkUnstructuredGrid>(int piece, int pieces)>;
 /// Returns a source of whatever pieces.
 vtkAlgorithm* MakeSource(const GetPiece& getPiece);
+
+/// Returns a source of blocks, each a part of the mesh with vectors of its own, and a flat one:
+/// piece after piece has as many. \a hasOwnArrays: those of the first half have an array more.
+vtkAlgorithm* MakeBlockSource(vtkUnstructuredGrid* mesh, int blocks, bool hasOwnArrays = false);
 }
 
 #endif
