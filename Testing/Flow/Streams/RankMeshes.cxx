@@ -30,7 +30,22 @@
 
 namespace
 {
-class AnyPieceSource : public vtkUnstructuredGridAlgorithm
+/// A source of pieces.
+template <typename Algorithm>
+class PieceAlgorithm : public Algorithm
+{
+protected:
+  PieceAlgorithm() { this->SetNumberOfInputPorts(0); }
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+    return 1;
+  }
+};
+
+class AnyPieceSource : public PieceAlgorithm<vtkUnstructuredGridAlgorithm>
 {
 public:
   static AnyPieceSource* New();
@@ -39,15 +54,6 @@ public:
   RankMeshes::GetPiece GetPiece;
 
 protected:
-  AnyPieceSource() { this->SetNumberOfInputPorts(0); }
-
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
-  {
-    outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
-    return 1;
-  }
-
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
   {
     using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -60,7 +66,7 @@ protected:
 };
 vtkStandardNewMacro(AnyPieceSource);
 
-class BlockSource : public vtkMultiBlockDataSetAlgorithm
+class BlockSource : public PieceAlgorithm<vtkMultiBlockDataSetAlgorithm>
 {
 public:
   static BlockSource* New();
@@ -69,15 +75,6 @@ public:
   std::vector<vtkSmartPointer<vtkDataSet>> Blocks;
 
 protected:
-  BlockSource() { this->SetNumberOfInputPorts(0); }
-
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
-  {
-    outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
-    return 1;
-  }
-
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
   {
     using Pipeline = vtkStreamingDemandDrivenPipeline;
