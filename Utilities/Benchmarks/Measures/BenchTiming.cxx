@@ -40,6 +40,8 @@ BenchWork WithThreads(int threads, const BenchWork& work)
 {
   return [threads, work]()
   {
+    // VTK 9.6 takes no more threads than it had, unless all of them were asked for in between.
+    vtkSMPTools::Initialize();
     vtkSMPTools::Initialize(threads);
     return work();
   };
