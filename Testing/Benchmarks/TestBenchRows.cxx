@@ -112,6 +112,10 @@ void CheckMethods(const nlohmann::json& rows)
       { "advection", "RK4", "RK45", "equal-error streamtracer-RK4", "equal-error streamtracer-RK45",
         "equal-error-again streamtracer-RK4", "threads-2 threads-1" } },
     { "flow-sharing", { "shared all streamlines" } },
+    { "growth",
+      { "growth", "growth without", "time exponent", "memory exponent", "wall exponent",
+        "computed: interval volume of each step", "computed: in time, slab by slab",
+        "computed: in time, all at once" } },
   };
   std::map<std::string, std::set<std::string>> seen;
   for (const auto& row : rows)

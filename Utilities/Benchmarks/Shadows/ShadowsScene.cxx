@@ -302,8 +302,9 @@ Case MakeStepped(const Case& from)
 
 Lights MakeLights(const reference::ShadowScene& scene, int number)
 {
-  const double directions[4][3] = { { 0.6, 0.55, -0.6 }, { 0.7, -0.6, -0.4 }, { 0.8, 0.1, -0.6 },
-    { 0.9, -0.2, 0.4 } };
+  const double directions[8][3] = { { 0.6, 0.55, -0.6 }, { 0.7, -0.6, -0.4 }, { 0.8, 0.1, -0.6 },
+    { 0.9, -0.2, 0.4 }, { 0.7, 0.5, 0.5 }, { 0.8, -0.6, 0.1 }, { 0.8, 0.6, -0.1 },
+    { 0.7, -0.4, 0.6 } };
   Lights lights;
   for (int i = 0; i < number; ++i)
   {

@@ -76,7 +76,7 @@ Case MakeStepped(const Case& from);
 
 using Lights = std::vector<vtkSmartPointer<vtkLight>>;
 
-/// White directional lights on the viewer's side, 1 to 4, together of intensity 1.
+/// White directional lights on the viewer's side, 1 to 8, together of intensity 1.
 Lights MakeLights(const reference::ShadowScene& scene, int number);
 /// A round vtkAreaLight in the direction of MakeLights(1), one and a half diagonals of the image
 /// from its middle, of so many diagonals; positional.

@@ -2,53 +2,16 @@
 #include "Benchmarks/SpaceTime/Interval4dThroughput.h"
 
 #include "Benchmarks/Measures/BenchTiming.h"
-#include "Benchmarks/SpaceTime/Interval4dCases.h"
+#include "Benchmarks/SpaceTime/VortexShares.h"
 
-#include "vtkAnalyticFieldSource.h"
 #include "vtkTimeVaryingIntervalVolume.h"
 
-#include "vtkDataArray.h"
-#include "vtkImageData.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-
-#include <algorithm>
 #include <string>
 
 namespace interval4d
 {
 namespace
 {
-Case MakeGrid(int points)
-{
-  vtkNew<vtkAnalyticFieldSource> source;
-  source->SetFieldToVortex();
-  source->SetDimensions(points, points, points);
-  source->SetTimeRange(0.0, 1.0);
-  source->SetNumberOfTimeSteps(2);
-  Case what;
-  what.Name = "vortex, 2 x " + std::to_string(points) + "^3 points";
-  what.Steps = vtkSmartPointer<KeptTimeSteps>::New();
-  what.Steps->AddStepsOf(source);
-  // Above every value.
-  what.Upper = 100.0;
-  return what;
-}
-
-/// The values of the first step, the largest first.
-std::vector<double> SortedValues(const Case& what)
-{
-  vtkDataArray* scalars =
-    vtkImageData::SafeDownCast(what.Steps->GetStep(0))->GetPointData()->GetScalars();
-  std::vector<double> values(scalars->GetNumberOfTuples());
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    values[i] = scalars->GetTuple1(static_cast<vtkIdType>(i));
-  }
-  std::sort(values.rbegin(), values.rend());
-  return values;
-}
-
 void AddRow(const Case& what, double share, const BenchOptions& options, BenchRows& rows)
 {
   vtkIdType simplices = 0;
@@ -77,15 +40,12 @@ void AddThroughputRows(const BenchOptions& options, BenchRows& rows)
     { 0.00001, 0.0001, 0.001, 0.01, 0.03 }, { 0.0001, 0.001, 0.01, 0.03 }, { 0.01, 0.03 });
   for (const int points : sizes)
   {
-    Case what = MakeGrid(points);
-    const std::vector<double> values = SortedValues(what);
+    VortexShares vortex(points);
     for (const double share : shares)
     {
-      const auto inside = static_cast<std::size_t>(share * static_cast<double>(values.size()));
-      if (inside > 0)
+      if (vortex.SetShare(share))
       {
-        what.Lower = values[inside];
-        AddRow(what, share, options, rows);
+        AddRow(vortex.Get(), share, options, rows);
       }
     }
   }

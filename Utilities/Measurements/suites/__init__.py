@@ -5,14 +5,14 @@ TABLES: by name a table; VALUES: by name the suite and a function that makes tex
 lines of the README's table.
 """
 
-from . import (contour, flow, flow_sharing, flow_speed, flow_texture, interval, interval4d, mixed, scattering,
-               shadows, soft_shadows, tables, tetrahedra)
+from . import (contour, flow, flow_sharing, flow_speed, flow_texture, growth, interval, interval4d, mixed,
+               scattering, shadows, soft_shadows, tables, tetrahedra)
 from .readme import README_LINES
 
 TABLES = {}
 VALUES = {}
 for _suite in (interval, contour, tetrahedra, shadows, scattering, soft_shadows, mixed, interval4d, flow, flow_speed,
-               flow_sharing, flow_texture, tables):
+               flow_sharing, flow_texture, growth, tables):
     TABLES.update(_suite.TABLES)
     VALUES.update(_suite.VALUES)
 

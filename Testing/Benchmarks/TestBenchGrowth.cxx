@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Exponents, claims and what a cluster needs, on rows that are made up.
+#include "Benchmarks/Growth/ClusterNeeds.h"
+#include "Benchmarks/Growth/ExtractionGrowth.h"
+#include "Benchmarks/Growth/GrowthFit.h"
+#include "Benchmarks/Growth/GrowthMeasure.h"
+#include "Benchmarks/Growth/TimeGrowth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+#include <set>
+#include <string>
+
+namespace
+{
+bool Right = true;
+
+void Expect(bool condition, const std::string& what)
+{
+  if (!condition)
+  {
+    std::cerr << "ERROR: " << what << std::endl;
+    Right = false;
+  }
+}
+
+void ExpectNear(double measured, double exact, const std::string& what)
+{
+  // Written so that NaN fails.
+  Expect(std::abs(measured - exact) <= 1e-9 * std::max(1.0, std::abs(exact)),
+    what + ": " + std::to_string(measured) + ", expected " + std::to_string(exact));
+}
+
+/// A quantity of theory 1 in time, 0 in memory.
+growth::Quantity MakeQuantity(const std::string& name)
+{
+  growth::Quantity made;
+  made.Name = name;
+  made.Counted = "things";
+  made.Time = { 1.0, 1.0, "one after the other" };
+  made.Memory = { 0.0, 0.0, "nothing is kept" };
+  return made;
+}
+
+/// Rows of 1, 2, 4 and 8 things, of 2 n^time processor seconds, 3 / n seconds and about 10,000
+/// n^memory KiB.
+void AddSizes(
+  const growth::Quantity& quantity, double timePower, double memoryPower, BenchRows& rows)
+{
+  for (const int n : { 1, 2, 4, 8 })
+  {
+    const nlohmann::ordered_json found = { { "n", n }, { "input_kib", 1.0 }, { "seconds", 3.0 / n },
+      { "processor_seconds", 2.0 * std::pow(n, timePower) },
+      { "kib", std::lround(1e4 * std::pow(n, memoryPower)) } };
+    rows.Add(growth::MakeSizeRow(rows, quantity, found, BenchOptions()));
+  }
+}
+
+const BenchRow& Find(
+  const std::string& theCase, const std::string& method, const std::vector<BenchRow>& rows)
+{
+  static const BenchRow none;
+  const auto found = std::find_if(rows.begin(), rows.end(),
+    [&](const BenchRow& row) { return row.Case == theCase && row.Method == method; });
+  Expect(found != rows.end(), "no row " + theCase + " " + method);
+  return found == rows.end() ? none : *found;
+}
+
+double GetExponent(
+  const std::string& theCase, const char* method, const std::vector<BenchRow>& rows)
+{
+  return Find(theCase, method, rows)
+    .Counts.value("exponent", std::numeric_limits<double>::quiet_NaN());
+}
+
+void TestClaims()
+{
+  BenchRows rows("growth");
+  const growth::Quantity right = MakeQuantity("right");
+  AddSizes(right, 1.1, 0.0, rows);
+  growth::AddExponentRows(right, rows);
+  ExpectNear(GetExponent("right", growth::TimeExponent, rows.Get()), 1.1, "a power of 1.1");
+  ExpectNear(GetExponent("right", growth::MemoryExponent, rows.Get()), 0.0, "constant memory");
+  for (const BenchClaim& claim : growth::CheckExponents(rows.Get()))
+  {
+    Expect(claim.IsMet(), "not met: " + claim.Text);
+  }
+
+  // Beyond the margin on either side of theory.
+  const growth::Quantity slow = MakeQuantity("slow");
+  AddSizes(slow, 1.2, 0.2, rows);
+  growth::AddExponentRows(slow, rows);
+  const growth::Quantity fast = MakeQuantity("fast");
+  AddSizes(fast, 0.8, -0.2, rows);
+  growth::AddExponentRows(fast, rows);
+  const std::vector<BenchClaim> claims = growth::CheckExponents(rows.Get());
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    Expect(claims[i].Cases.size() == 3 && claims[i].Cases[0].Met && !claims[i].Cases[1].Met &&
+        !claims[i].Cases[2].Met,
+      "not one of three is met: " + claims[i].ToJson().dump());
+  }
+
+  // From 2/3 to 1 is as theory says, and what is between as well.
+  growth::Quantity between = MakeQuantity("between");
+  between.Time.Least = 2.0 / 3.0;
+  AddSizes(between, 0.8, 0.0, rows);
+  growth::AddExponentRows(between, rows);
+  Expect(growth::CheckExponents(rows.Get())[0].Cases.back().Met, "0.8 is not from 2/3 to 1");
+}
+
+void TestThreads()
+{
+  BenchRows rows("growth");
+  growth::Quantity threads = MakeQuantity("threads");
+  threads.Time = { 0.0, 0.0, "" };
+  threads.Wall = growth::Theory{ -1.0, -1.0, "" };
+  AddSizes(threads, 0.0, 0.0, rows);
+  growth::AddExponentRows(threads, rows);
+  ExpectNear(GetExponent("threads", growth::WallExponent, rows.Get()), -1.0, "time shared");
+  ExpectNear(GetExponent("threads", growth::TimeExponent, rows.Get()), 0.0, "the same work");
+  Expect(growth::CheckExponents(rows.Get())[2].Cases.size() == 1, "no claim of wall time");
+
+  BenchRows ofOne("growth");
+  ofOne.Add(rows.Get().front());
+  growth::AddExponentRows(threads, ofOne);
+  Expect(growth::CheckExponents(ofOne.Get())[0].Cases.empty(), "one point makes no exponent");
+}
+
+/// What is taken off, memory of some pages, and a difference below nothing.
+void TestDifferences()
+{
+  BenchRows rows("growth");
+  const growth::Quantity lights = MakeQuantity("lights");
+  for (const int n : { 1, 2, 4 })
+  {
+    rows.Add(growth::MakeSizeRow(rows, lights,
+      { { "n", n }, { "input_kib", 1.0 }, { "seconds", 9.0 }, { "processor_seconds", 5.0 + n },
+        { "kib", 10 * n + 50 }, { "without_seconds", 5.0 }, { "without_processor_seconds", 5.0 },
+        { "without_kib", 50 } },
+      BenchOptions()));
+  }
+  ExpectNear(rows.Get().back().Counts["kib"], 40.0, "memory over the rest");
+  growth::AddExponentRows(lights, rows);
+  ExpectNear(GetExponent("lights", growth::TimeExponent, rows.Get()), 1.0, "time over the rest");
+  ExpectNear(GetExponent("lights", growth::MemoryExponent, rows.Get()), 0.0, "pages");
+
+  BenchRows noise("growth");
+  for (const int n : { 1, 2 })
+  {
+    noise.Add(growth::MakeSizeRow(noise, lights,
+      { { "n", n }, { "input_kib", 1.0 }, { "seconds", 1.0 }, { "processor_seconds", 1.0 * n },
+        { "without_seconds", 9.0 }, { "without_processor_seconds", 9.0 } },
+      BenchOptions()));
+  }
+  growth::AddExponentRows(lights, noise);
+  ExpectNear(GetExponent("lights", growth::TimeExponent, noise.Get()), 1.0, "a share of the whole");
+  Expect(std::none_of(noise.Get().begin(), noise.Get().end(),
+           [](const BenchRow& row) { return row.Method == growth::MemoryExponent; }),
+    "an exponent of memory that was not measured");
+}
+
+void TestCluster()
+{
+  BenchRows rows("growth");
+  growth::AddClusterRows(rows);
+  Expect(rows.Get().empty(), "needs of nothing");
+  const auto add = [&](const char* name, double timePower, double memoryPower)
+  {
+    const growth::Quantity quantity = MakeQuantity(name);
+    AddSizes(quantity, timePower, memoryPower, rows);
+    growth::AddExponentRows(quantity, rows);
+  };
+  add(growth::Cells, 1.0, 1.0);
+  add(growth::CellsInTime, 1.0, 1.0);
+  add(growth::Steps, 1.0, 1.0);
+  growth::AddClusterRows(rows);
+  const std::vector<BenchRow>& made = rows.Get();
+  // 2 s and 10,000 KiB a cell.
+  const auto check = [&](const std::string& method, int ranks, double seconds, double kib)
+  {
+    const auto row = std::find_if(made.begin(), made.end(),
+      [&](const BenchRow& one)
+      { return one.Method == "computed: " + method && one.Counts.value("ranks", 0) == ranks; });
+    Expect(row != made.end(), "no row " + method);
+    if (row != made.end())
+    {
+      ExpectNear(row->Counts["computed_seconds"], seconds, method + ", seconds");
+      ExpectNear(row->Counts["kib_a_rank"], kib, method + ", KiB");
+    }
+  };
+  const double cells = std::pow(1024.0, 3) / 64.0;
+  const double step = 4.0 * cells / 1024.0;
+  check("interval volume of each step", 64, 200.0 * cells, step + 1e4 * cells);
+  check("in time, slab by slab", 64, 198.0 * cells, 2.0 * step + 1e4 * cells);
+  check("in time, all at once", 64, 198.0 * cells, 2.0 * step + 99.0 * 1e4 * cells);
+  check("in time, slab by slab", 256, 49.5 * cells, 0.5 * step + 0.25 * 1e4 * cells);
+}
+
+/// Each with a name of its own, four to six sizes, and a reason.
+void TestQuantities()
+{
+  std::set<std::string> names;
+  BenchOptions options;
+  options.Threads = 8;
+  for (const growth::Quantity& quantity : growth::MakeQuantities(options))
+  {
+    Expect(names.insert(quantity.Name).second, "two quantities are " + quantity.Name);
+    Expect(quantity.Sizes.size() >= 4 && quantity.Sizes.size() <= 6, "sizes of " + quantity.Name);
+    Expect(quantity.Make && !quantity.Time.Reason.empty() && !quantity.Memory.Reason.empty() &&
+        quantity.Time.Least <= quantity.Time.Most,
+      "theory of " + quantity.Name);
+  }
+  Expect(names.size() == 12, "not all quantities are there");
+}
+}
+
+int main()
+{
+  TestQuantities();
+  TestClaims();
+  TestThreads();
+  TestDifferences();
+  TestCluster();
+  return Right ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmarks/Growth/ExtractionGrowth.h"
+
+#include "Benchmarks/Data/BenchData.h"
+#include "Benchmarks/Intervals/ExtractionMethods.h"
+
+#include <algorithm>
+
+namespace growth
+{
+namespace
+{
+using Method = std::function<vtkSmartPointer<vtkObjectBase>(const BenchData&)>;
+
+vtkSmartPointer<vtkObjectBase> ExtractVolume(const BenchData& data)
+{
+  return methods::IntervalVolume(data.Data, data.Lower, data.Upper);
+}
+
+Job MakeJob(const BenchData& data, int threads, const Method& method)
+{
+  Job job;
+  job.Measured.Fresh = WithThreads(threads, [data, method]() { return method(data); });
+  job.GetN = [data]() { return static_cast<double>(data.Data->GetNumberOfCells()); };
+  job.InputKib = static_cast<double>(data.Data->GetActualMemorySize());
+  return job;
+}
+
+std::vector<int> GetPoints(const BenchOptions& options)
+{
+  return options.Pick<std::vector<int>>({ 33, 49, 65, 97, 129 }, { 17, 25, 33, 49 }, { 9, 13, 17 });
+}
+}
+
+const char* const Cells = "cells";
+
+Quantity MakeCells(const BenchOptions& options)
+{
+  Quantity made;
+  made.Name = Cells;
+  made.Counted = "cells";
+  made.Work = "vtkIntervalVolume of a wavelet, the interval the same at every resolution, 1 thread";
+  made.Sizes = GetPoints(options);
+  made.Time = { 2.0 / 3.0, 1.0,
+    "N to classify the cells and to fill the inside, N^(2/3) at the surfaces, where a cell takes "
+    "most; N dominates in the end" };
+  made.Memory = { 2.0 / 3.0, 1.0,
+    "tetrahedra fill a constant share of the volume, N, and N^(2/3) more are at the surfaces" };
+  made.Make = [](int points, const BenchOptions&)
+  { return MakeJob(MakeWavelet(points), 1, ExtractVolume); };
+  return made;
+}
+
+Quantity MakeContour(const BenchOptions& options)
+{
+  Quantity made;
+  made.Name = "cells of a contour";
+  made.Counted = "cells";
+  made.Work = "vtkIsotableContour of one value of a wavelet, 1 thread";
+  made.Sizes = GetPoints(options);
+  made.Time = { 2.0 / 3.0, 1.0,
+    "N to classify the cells, N^(2/3) to make the triangles of those that the surface meets: which "
+    "dominates depends on the size" };
+  made.Memory = { 2.0 / 3.0, 2.0 / 3.0, "the surface meets N^(2/3) cells" };
+  made.Make = [](int points, const BenchOptions&)
+  {
+    return MakeJob(MakeWavelet(points), 1,
+      [](const BenchData& data) { return methods::IsotableContour(data.Data, data.Lower); });
+  };
+  return made;
+}
+
+Quantity MakeThreads(const BenchOptions& options)
+{
+  Quantity made;
+  made.Name = "threads";
+  made.Counted = "threads";
+  made.Work = "vtkIntervalVolume of the largest wavelet but one";
+  // No more than there are: TBB ignores the others.
+  for (int threads = 1; threads <= std::max(2, options.Threads); threads *= 2)
+  {
+    made.Sizes.push_back(threads);
+  }
+  made.Wall = Theory{ -1.0, -1.0, "threads share the blocks of cells" };
+  made.Memory = { 0.0, 0.0, "the output is the same, and each thread's own buffers are a part" };
+  made.Time = { 0.0, 0.0, "no thread does the work of another again" };
+  const std::vector<int> points = GetPoints(options);
+  made.Make = [points = points[points.size() - 2]](int threads, const BenchOptions&)
+  {
+    Job job = MakeJob(MakeWavelet(points), threads, ExtractVolume);
+    job.GetN = [threads]() { return threads; };
+    return job;
+  };
+  return made;
+}
+}

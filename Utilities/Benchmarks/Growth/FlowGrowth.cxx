@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmarks/Growth/FlowGrowth.h"
+
+#include "vtkAnalyticFlowSource.h"
+#include "vtkImplicitFlowField.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+
+namespace growth
+{
+namespace
+{
+Job MakeJob(int samples, const BenchOptions& options)
+{
+  vtkNew<vtkAnalyticFlowSource> source;
+  const int points = options.Pick(33, 17, 9);
+  source->SetField(vtkAnalyticFlowSource::HURRICANE);
+  source->SetDimensions(points, points, points);
+  source->Update();
+  vtkSmartPointer<vtkImageData> field = source->GetOutput();
+  Job job;
+  job.Measured.Fresh = WithThreads(options.Threads,
+    [field, samples]()
+    {
+      vtkNew<vtkImplicitFlowField> filter;
+      filter->SetInputData(field);
+      filter->DomainFacesOn();
+      filter->SetMaximumTime(2.0);
+      filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+      filter->SetSampleDimensions(samples, samples, samples);
+      filter->Update();
+      return vtkSmartPointer<vtkObjectBase>(filter->GetOutputDataObject(0));
+    });
+  job.GetN = [samples]() { return static_cast<double>(samples) * samples * samples; };
+  job.InputKib = static_cast<double>(field->GetActualMemorySize());
+  return job;
+}
+}
+
+Quantity MakeSamples(const BenchOptions& options)
+{
+  Quantity made;
+  made.Name = "samples";
+  made.Counted = "samples";
+  made.Work = "vtkImplicitFlowField of a hurricane on one grid, all threads";
+  made.Sizes =
+    options.Pick<std::vector<int>>({ 24, 32, 48, 64, 80 }, { 16, 24, 32, 48 }, { 5, 7, 9 });
+  made.Time = { 1.0, 1.0, "each sample has a streamline of its own, of the same mean length" };
+  made.Memory = { 1.0, 1.0, "each sample has its answer in the output" };
+  made.Make = MakeJob;
+  return made;
+}
+}

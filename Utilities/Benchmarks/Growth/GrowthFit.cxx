@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmarks/Growth/GrowthFit.h"
+
+#include "Benchmarks/Growth/GrowthMeasure.h"
+#include "Benchmarks/Measures/PowerFit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+namespace growth
+{
+namespace
+{
+/// What an exponent is fitted to, and how its rows are called.
+struct Measure
+{
+  const char* Method;
+  std::optional<double> (*Get)(const BenchRow& row);
+};
+
+/// A time over another, which may be 0.
+double GetDifference(double whole, double without)
+{
+  return std::max(whole - without, LeastShare * whole);
+}
+
+std::optional<double> GetSeconds(const BenchRow& row)
+{
+  // The clock of processors has ticks.
+  return std::max(GetDifference(row.Counts["processor_seconds"].get<double>(),
+                    row.Counts.value("without_processor_seconds", 0.0)),
+    1e-6);
+}
+
+std::optional<double> GetWallSeconds(const BenchRow& row)
+{
+  return GetDifference(*row.Seconds, row.PeerSeconds ? row.PeerSeconds->Value : 0.0);
+}
+
+std::optional<double> GetKib(const BenchRow& row)
+{
+  return row.Counts.contains("kib")
+    ? std::optional<double>(std::max(row.Counts["kib"].get<double>(), LeastKib))
+    : std::nullopt;
+}
+
+const Measure OfTime = { TimeExponent, GetSeconds };
+const Measure OfMemory = { MemoryExponent, GetKib };
+const Measure OfWall = { WallExponent, GetWallSeconds };
+
+struct Points
+{
+  std::vector<double> N;
+  std::vector<double> Cost;
+};
+
+/// The sizes of a quantity.
+Points GetPoints(const std::string& name, const Measure& measure, const std::vector<BenchRow>& rows)
+{
+  Points points;
+  for (const BenchRow& row : rows)
+  {
+    if (row.Case != name || row.Method != SizeMethod)
+    {
+      continue;
+    }
+    if (const auto cost = measure.Get(row))
+    {
+      points.N.push_back(row.Counts["n"].get<double>());
+      points.Cost.push_back(*cost);
+    }
+  }
+  return points;
+}
+
+void AddExponent(
+  const std::string& name, const Measure& measure, const Theory& theory, BenchRows& rows)
+{
+  const Points points = GetPoints(name, measure, rows.Get());
+  if (points.N.size() < 2)
+  {
+    return;
+  }
+  const auto range = std::minmax_element(points.N.begin(), points.N.end());
+  BenchRow row = rows.Make(name, measure.Method);
+  row.Parameter = theory.Reason;
+  row.Counts["exponent"] = FitExponent(points.N, points.Cost);
+  row.Counts["least"] = theory.Least;
+  row.Counts["most"] = theory.Most;
+  row.Counts["sizes"] = points.N.size();
+  row.Counts["factor"] = *range.second / *range.first;
+  rows.Add(row);
+}
+
+std::string ToText(double number)
+{
+  std::ostringstream text;
+  text.precision(2);
+  text << number;
+  return text.str();
+}
+
+std::string TheoryText(const BenchRow& row)
+{
+  const double least = row.Counts["least"];
+  const double most = row.Counts["most"];
+  return least == most ? ToText(least) : ToText(least) + " to " + ToText(most);
+}
+
+BenchClaim CheckExponent(
+  const std::string& text, const Measure& measure, const std::vector<BenchRow>& rows)
+{
+  BenchClaim claim;
+  claim.Text = text + ": fitted exponent within " + ToText(Margin) + " of theory's, in brackets";
+  for (const BenchRow& row : rows)
+  {
+    if (row.Method == measure.Method)
+    {
+      const double exponent = row.Counts["exponent"];
+      const bool isMet = exponent >= row.Counts["least"].get<double>() - Margin &&
+        exponent <= row.Counts["most"].get<double>() + Margin;
+      claim.Cases.push_back({ row.Case + " (" + TheoryText(row) + ")", exponent, isMet });
+    }
+  }
+  return claim;
+}
+
+/// The measured points, and theory's lines through the largest.
+void AddLines(const BenchRow& exponent, const Measure& measure, double unit, const char* label,
+  const std::vector<BenchRow>& rows, BenchPlot& plot)
+{
+  const Points points = GetPoints(exponent.Case, measure, rows);
+  for (std::size_t i = 0; i < points.N.size(); ++i)
+  {
+    plot.AddPoint(label, false, points.N[i], unit * points.Cost[i]);
+  }
+  const std::size_t last = points.N.size() - 1;
+  for (const double power : std::set<double>{
+         exponent.Counts["least"].get<double>(), exponent.Counts["most"].get<double>() })
+  {
+    const std::string name = std::string(label) + ", N^" + ToText(power);
+    for (const std::size_t i : { std::size_t(0), last })
+    {
+      plot.AddPoint(name, true, points.N[i],
+        unit * points.Cost[last] * std::pow(points.N[i] / points.N[last], power));
+    }
+  }
+}
+}
+
+const char* const TimeExponent = "time exponent";
+const char* const MemoryExponent = "memory exponent";
+const char* const WallExponent = "wall exponent";
+
+void AddExponentRows(const Quantity& quantity, BenchRows& rows)
+{
+  AddExponent(quantity.Name, OfTime, quantity.Time, rows);
+  AddExponent(quantity.Name, OfMemory, quantity.Memory, rows);
+  if (quantity.Wall)
+  {
+    AddExponent(quantity.Name, OfWall, *quantity.Wall, rows);
+  }
+}
+
+std::vector<BenchClaim> CheckExponents(const std::vector<BenchRow>& rows)
+{
+  return { CheckExponent("processor time against N", OfTime, rows),
+    CheckExponent("memory against N", OfMemory, rows),
+    CheckExponent("wall time against N", OfWall, rows) };
+}
+
+std::vector<BenchPlot> MakeGrowthPlots(
+  const std::vector<Quantity>& quantities, const std::vector<BenchRow>& rows)
+{
+  std::vector<BenchPlot> plots;
+  for (const Quantity& quantity : quantities)
+  {
+    BenchPlot plot;
+    plot.Name = "growth-" + quantity.Name;
+    std::replace_if(
+      plot.Name.begin(), plot.Name.end(), [](char c) { return c == ' ' || c == ','; }, '-');
+    plot.Title = quantity.Name + ": processor time and peak of memory over the input";
+    plot.XLabel = quantity.Counted;
+    plot.YLabel = "processor time (s), memory (MiB)";
+    plot.LogX = true;
+    plot.LogY = true;
+    plot.Rises = quantity.Time.Most > 0.0;
+    for (const BenchRow& row : rows)
+    {
+      if (row.Case == quantity.Name && row.Method == OfTime.Method)
+      {
+        AddLines(row, OfTime, 1.0, "s", rows, plot);
+      }
+      if (row.Case == quantity.Name && row.Method == OfMemory.Method)
+      {
+        AddLines(row, OfMemory, 1.0 / 1024.0, "MiB", rows, plot);
+      }
+    }
+    if (!plot.AllSeries.empty())
+    {
+      plots.push_back(plot);
+    }
+  }
+  return plots;
+}
+}
