@@ -2,6 +2,7 @@
 #include "FuzzRun.h"
 
 #include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceThreads.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCell.h"
@@ -117,7 +118,7 @@ std::string CheckRun(const std::function<vtkSmartPointer<vtkAlgorithm>()>& make,
   for (const int threads : { 1, 3 })
   {
     vtkSMPTools::SetBackend(threads == 1 ? "Sequential" : "STDThread");
-    vtkSMPTools::Initialize(threads);
+    reference::SetThreads(threads);
     Messages messages;
     const vtkSmartPointer<vtkAlgorithm> filter = make();
     filter->Update();

@@ -179,7 +179,7 @@ void CheckThreads(Check& check)
     for (const int threads : { 1, 4 })
     {
       vtkSMPTools::SetBackend(backend);
-      vtkSMPTools::Initialize(threads);
+      SetThreads(threads);
       results.push_back(Find(scene));
       check.That(!results.back().GetVertices().empty() &&
           results.back().GetVertices() == results.front().GetVertices() &&

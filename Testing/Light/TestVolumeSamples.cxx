@@ -298,7 +298,7 @@ void CheckThreads(Check& check)
   const Size size{ { 60, 60, 50 } };
   interlume::VolumeSamples expected;
   vtkSMPTools::SetBackend("Sequential");
-  vtkSMPTools::Initialize(1);
+  SetThreads(1);
   check.That(expected.Build(array, size, false).empty(), "no error");
   check.That(
     !std::signbit(expected.Range[0][0]) && !std::signbit(expected.Range[1][1]), "zero has no sign");

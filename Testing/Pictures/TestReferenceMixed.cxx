@@ -6,6 +6,7 @@
 #include "Pictures/ReferenceMixedPicture.h"
 #include "Pictures/ShadowCases.h"
 #include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceThreads.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -20,7 +21,6 @@
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkSMPTools.h"
 #include "vtkSphereSource.h"
 #include "vtkTexture.h"
 #include "vtkVolumeProperty.h"
@@ -343,7 +343,7 @@ void TestThreads(Check& check)
   std::vector<double> first;
   for (int threads : { 1, 2, 8 })
   {
-    vtkSMPTools::Initialize(threads);
+    SetThreads(threads);
     const std::vector<double> values = MakeMixedPicture(scene).Values;
     first = first.empty() ? values : first;
     check.That(values == first, "the same for " + std::to_string(threads) + " threads");

@@ -2,6 +2,7 @@
 // Pieces and parts of the extent have the values and points of the whole, float is double rounded,
 // and the bytes are the same for any number of threads.
 #include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceThreads.h"
 #include "Reference/TimeVarying/ReferenceTemporalSource.h"
 
 #include "vtkDataArray.h"
@@ -147,7 +148,7 @@ void CheckThreads(Check& check)
   std::vector<std::string> expected;
   for (int threads : { 1, 2, 8 })
   {
-    vtkSMPTools::Initialize(threads);
+    SetThreads(threads);
     std::size_t i = 0;
     for (const TemporalSource& source : MakeTemporalSources())
     {

@@ -2,6 +2,7 @@
 // Pictures by the Monte Carlo solver: published intensities of a slab at seven angles, the formula
 // of single scattering, a white furnace, coloured albedo.
 #include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceThreads.h"
 #include "Transport/FunctionMedium.h"
 #include "Transport/PictureTransport.h"
 
@@ -135,7 +136,7 @@ void CheckThreads(Check& check)
   vtkSMPTools::SetBackend("STDThread");
   for (const int threads : { 1, 2, 8 })
   {
-    vtkSMPTools::Initialize(threads);
+    SetThreads(threads);
     const TransportPicture found = trace();
     check.That(found.Mean.Values == expected.Mean.Values &&
         found.StandardError.Values == expected.StandardError.Values,

@@ -3,6 +3,7 @@
 // Light Scattering", Academic Press 1980, volumes I and II, as public test suites of other solvers
 // quote them. Reflection and transmission are flux over incident flux; the surfaces do not reflect.
 #include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceThreads.h"
 #include "Transport/SlabTransport.h"
 
 #include "vtkSMPTools.h"
@@ -213,7 +214,7 @@ void CheckThreads(Check& check)
   vtkSMPTools::SetBackend("STDThread");
   for (const int threads : { 1, 2, 8 })
   {
-    vtkSMPTools::Initialize(threads);
+    SetThreads(threads);
     const SlabTransportResult found = TraceSlab(settings);
     check.That(found.Reflected.Value == expected.Reflected.Value &&
         found.Reflected.StandardError == expected.Reflected.StandardError &&

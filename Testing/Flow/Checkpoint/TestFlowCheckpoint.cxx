@@ -5,6 +5,7 @@
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Checks/ReferenceMessages.h"
 #include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Checks/ReferenceThreads.h"
 
 #include "vtkAnalyticFlowSource.h"
 #include "vtkImplicitFlowField.h"
@@ -275,9 +276,9 @@ void TestAborts(const std::string& name, Check& check)
     check.That(Resume(test, name, whole, numbers, check) > 0, "resumed");
     check.SetContext(test.Name + ", other threads");
     vtkSMPTools::SetBackend("STDThread");
-    vtkSMPTools::Initialize(1);
+    SetThreads(1);
     Abort(test, name, 0.5, check);
-    vtkSMPTools::Initialize(8);
+    SetThreads(8);
     check.That(Resume(test, name, whole, numbers, check) > 0, "resumed");
   }
 }

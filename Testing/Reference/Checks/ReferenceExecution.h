@@ -30,7 +30,7 @@ template <typename Run>
 void CheckSame(const std::string& name, const Run& run, Check& check)
 {
   vtkSMPTools::SetBackend("Sequential");
-  vtkSMPTools::Initialize(1);
+  SetThreads(1);
   const auto expected = run();
   ForThreads(
     name, [&]() { check.That(run() == expected, "the same for any number of threads"); }, check);

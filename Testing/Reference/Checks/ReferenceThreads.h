@@ -15,6 +15,9 @@ class vtkUnstructuredGrid;
 namespace reference
 {
 
+/// The backend in use has \a threads threads from here on, or as many as it can have.
+void SetThreads(int threads);
+
 /// Names of the backends of vtkSMPTools to compare: not all are there. Those of libraries that are
 /// not built with ThreadSanitizer are left out under it, since it does not see their locks.
 const std::vector<const char*>& GetBackends();

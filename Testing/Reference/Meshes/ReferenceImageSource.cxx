@@ -60,7 +60,7 @@ void CheckNumbersOfThreads(vtkImageAlgorithm* source, Check& check)
   std::string expected;
   for (int threads : { 1, 2, 8 })
   {
-    vtkSMPTools::Initialize(threads);
+    SetThreads(threads);
     source->Modified();
     source->UpdateWholeExtent();
     const std::string bytes = GetBytes(source->GetOutput());

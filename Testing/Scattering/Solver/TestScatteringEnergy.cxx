@@ -189,7 +189,7 @@ void CheckThreads(Check& check)
     ScatteringField first;
     for (const int threads : { 1, 3 })
     {
-      vtkSMPTools::Initialize(threads);
+      SetThreads(threads);
       const Solved solved = Solve(medium, lights, mode);
       check.That(threads == 1 || IsSame(first, solved.Field), "the same bytes for 3 threads");
       first = solved.Field;
