@@ -24,6 +24,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkIntervalVolume.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -51,10 +52,11 @@ struct Settings
   std::vector<MatchingCriterion> Criteria;
 };
 
-Extraction Run(vtkDataSet* data, const Settings& settings, bool keepWholeCells)
+vtkSmartPointer<vtkIntervalVolume> Execute(
+  vtkDataObject* data, const Settings& settings, bool keepWholeCells)
 {
-  vtkNew<vtkIntervalVolume> filter;
-  filter->SetInputData(data);
+  auto filter = vtkSmartPointer<vtkIntervalVolume>::New();
+  filter->SetInputDataObject(data);
   for (size_t i = 0; i < settings.Intervals.size(); ++i)
   {
     filter->SetInterval(static_cast<int>(i), settings.Intervals[i][0], settings.Intervals[i][1]);
@@ -69,6 +71,12 @@ Extraction Run(vtkDataSet* data, const Settings& settings, bool keepWholeCells)
   filter->WarnOnEmptyOutputOff();
   filter->SetKeepWholeCells(keepWholeCells);
   filter->Update();
+  return filter;
+}
+
+Extraction Run(vtkDataSet* data, const Settings& settings, bool keepWholeCells)
+{
+  const auto filter = Execute(data, settings, keepWholeCells);
   return { filter->GetOutput(), vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(1)),
     filter->GetReport() };
 }
@@ -588,6 +596,41 @@ void CheckBentMeshes(Check& check)
   }
 }
 
+/// The blocks of a composite input come out as one by one.
+void CheckComposite(Check& check)
+{
+  auto image = MakeImage({ 5, 4, 4 });
+  AddIntegerField(image, 3, 1);
+  auto mixed = MakeMesh(MeshKind::Mixed, { 4, 3, 3 }, 1);
+  AddIntegerField(mixed, 3, 2);
+  auto honeycomb = MakeMesh(MeshKind::Honeycomb, { 4, 3, 3 }, 1);
+  AddLinearField(honeycomb, { 0.1, { 0.1, 0.07, 0.1 } });
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, image);
+  blocks->SetBlock(1, mixed);
+  blocks->SetBlock(3, honeycomb);
+  const Settings settings = { { { 0, 1 }, { 1, 2 } }, {} };
+  const auto filter = Execute(blocks, settings, true);
+  vtkIdType whole = 0;
+  for (unsigned int block : { 0U, 1U, 3U })
+  {
+    check.SetContext("block " + std::to_string(block));
+    const Extraction expected =
+      Run(vtkDataSet::SafeDownCast(blocks->GetBlock(block)), settings, true);
+    vtkUnstructuredGrid* const ports[] = { expected.Volume, expected.Surface };
+    for (int port = 0; port < 2; ++port)
+    {
+      auto* found = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(port));
+      const std::string difference =
+        FindDifference(vtkUnstructuredGrid::SafeDownCast(found->GetBlock(block)), ports[port]);
+      check.That(difference.empty(), difference);
+    }
+    check.That(expected.Report.WholeCells > 0, "cells are whole");
+    whole += expected.Report.WholeCells;
+  }
+  check.Equal(filter->GetReport().WholeCells, whole, "whole cells of all blocks");
+}
+
 void CheckManyThreads(Check& check)
 {
   auto image = MakeImage({ 40, 40, 40 });
@@ -626,6 +669,7 @@ int TestIntervalVolumeWhole(int, char*[])
   CheckOrder(check);
   CheckBentMeshes(check);
   CheckRealData(check);
+  CheckComposite(check);
   CheckManyThreads(check);
   check.SetContext("all");
   check.That(TypesMet() ==
