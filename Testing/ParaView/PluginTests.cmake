@@ -113,7 +113,11 @@ plugin_test(TestPluginNoServer "paraview;image"
 plugin_test(TestPluginServer "paraview;image"
   ${client} "${script}/TestPluginServer.py" compare "${server_file}" "${PVSERVER}")
 set_tests_properties(TestPluginNoServer PROPERTIES FIXTURES_SETUP no_server)
-set_tests_properties(TestPluginServer PROPERTIES FIXTURES_REQUIRED no_server)
+plugin_test(TestPluginServerRanks "paraview;mpi;image"
+  ${client} "${script}/TestPluginServer.py" ranks "${server_file}" ${ranks} "${PVSERVER}")
+set_tests_properties(TestPluginServer TestPluginServerRanks PROPERTIES
+  FIXTURES_REQUIRED no_server)
+set_tests_properties(TestPluginServerRanks PROPERTIES RUN_SERIAL ON)
 foreach (side IN ITEMS client server)
   plugin_test(TestPluginServerAlone-${side} "paraview;value"
     ${client} "${script}/TestPluginServer.py" alone ${side} "${PVSERVER}")

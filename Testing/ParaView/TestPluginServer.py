@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A client and a server apart, with the plugin on both: filters give what they give in one process, and
 a view shows the same whether the server draws it or the client; volumes are always drawn by the server, as
-ParaView's own are. Where one side lacks the plugin, ParaView's plugin manager is told which.
+ParaView's own are. A server of several processes shows the same. Where one side lacks the plugin, ParaView's
+plugin manager is told which.
 
-Arguments: `write` and the file for what one process makes; `compare`, that file and the server's program;
-or `alone`, the side that has the plugin, `client` or `server`, and the server's program.
+Arguments: `write` and the file for what one process makes; `compare` or `ranks`, that file and the server's
+program, for `ranks` with mpiexec's words before it; or `alone`, the side that has the plugin, `client` or
+`server`, and the server's program.
 """
 
 import sys
@@ -23,6 +25,10 @@ AUTOMATIC = ("AutoAdjustSampleDistances", "IntervalAutoAdjustLevelOfDetail")
 VOLUMES = ("Interval Volume", "Shadowed Slices", "Inflow Textures")
 SMALLEST_SHARE = 0.05  # of the picture that shows something
 LARGEST_DIFFERENCE = 1  # in steps of 1/255
+# Largest and mean difference where four processes draw pieces: pictures rounded to 1/255 each are laid over
+# each other (3 and 0.1 were found), rays begin anew in each piece, and shadows cross by a coarser grid.
+DIFFERENCE_OF_PIECES = {"intervals": (4, 0.4), "shadowed_slices": (60, 0.8), "inflow_textures": (10, 0.4),
+                        "flow_volume": (2, 0.1)}
 
 
 def intervals():
@@ -92,20 +98,25 @@ def write(path):
     numpy.savez(path, **kept)
 
 
-def compare(checks, path, program):
+def compare(checks, mode, path, program):
+    """Of several processes each has its own points, so that their number is not compared."""
     expected = numpy.load(path)
-    server = connect(program)
+    server = connect(*program)
     load_plugin_on(client=True, server=True)
     for scene in SCENES:
         name = scene.__name__
         source, representation = scene()
-        checks.that((numbers(source) == expected[f"{name} numbers"]).all(), f"{name}, numbers")
+        found = numbers(source)
+        if mode == "compare":
+            checks.that((found == expected[f"{name} numbers"]).all(), f"{name}, numbers")
         picture = expected[f"{name} picture"]
         checks.that(share_shown(picture) > SMALLEST_SHARE, f"{name} shows something")
         for way, drawn, remote in shots(source, representation, WAYS):
-            largest = numpy.abs(drawn - picture).max()
-            print(f"{name}, drawn by the {way}: largest difference {largest}", flush=True)
-            checks.that(largest <= LARGEST_DIFFERENCE, f"{name}, drawn by the {way}: {largest}")
+            difference = numpy.abs(drawn - picture)
+            largest, mean = difference.max(), difference.mean()
+            print(f"{name}, drawn by the {way}: difference {largest}, mean {mean:.4f}", flush=True)
+            bounds = DIFFERENCE_OF_PIECES[name] if mode == "ranks" else (LARGEST_DIFFERENCE, LARGEST_DIFFERENCE)
+            checks.that(largest <= bounds[0] and mean <= bounds[1], f"{name}, drawn by the {way}: {largest}, {mean}")
             by_server = way == "server" or representation in VOLUMES
             checks.equal(bool(remote), by_server, f"{name}, the {way} draws")
     checks.that(not any("ERR|" in line for line in server.lines), f"no errors: {server.lines}")
@@ -130,8 +141,8 @@ def main():
     checks = Checks()
     if mode == "write":
         write(argument)
-    elif mode == "compare":
-        compare(checks, argument, sys.argv[3])
+    elif mode in ("compare", "ranks"):
+        compare(checks, mode, argument, sys.argv[3:])
     else:
         check_missing(checks, argument, sys.argv[3])
     checks.finish()

@@ -2,6 +2,7 @@
 """A server of ParaView's in a process of its own, on this machine, and a client's connection to it."""
 
 import os
+import re
 import socket
 import subprocess
 import threading
@@ -9,6 +10,7 @@ import threading
 from paraview import servermanager, simple
 
 READY = "Accepting connection"
+OF_A_PROCESS = re.compile("OMPI_(?!ALLOW|MCA_rmaps|MCA_btl)|PMIX_|PRTE_|ORTE_")
 
 
 def free_port():
@@ -17,16 +19,22 @@ def free_port():
         return listener.getsockname()[1]
 
 
-class Server:
-    """What the process says, line by line, and whether it still runs."""
+def own_environment():
+    """Without what the client's MPI has set for itself, with which mpiexec would not start."""
+    return {name: value for name, value in os.environ.items() if not OF_A_PROCESS.match(name)}
 
-    def __init__(self, program):
+
+class Server:
+    """What the process says, line by line, and whether it still runs. The program may be several words,
+    mpiexec's before its own."""
+
+    def __init__(self, *program):
         self.port = free_port()
         self.lines = []
         self.ready = threading.Event()
         self.process = subprocess.Popen(
-            [program, "--force-offscreen-rendering", f"--server-port={self.port}"],
-            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+            [*program, "--force-offscreen-rendering", f"--server-port={self.port}"],
+            env=own_environment(), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         threading.Thread(target=self.listen, daemon=True).start()
         if not self.ready.wait(60):
             self.process.kill()
@@ -39,9 +47,9 @@ class Server:
                 self.ready.set()
 
 
-def connect(program):
+def connect(*program):
     """A server that this client is connected to; it ends with the client."""
-    server = Server(program)
+    server = Server(*program)
     simple.Connect("localhost", server.port)
     return server
 
