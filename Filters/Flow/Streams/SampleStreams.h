@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <thread>
 
 namespace interlume
 {
@@ -25,9 +26,17 @@ void RunRange(vtkIdType first, vtkIdType all, Work&& work)
   // Items in a row are near each other, and are taken by one thread.
   constexpr vtkIdType part = 8;
   std::atomic<vtkIdType> taken(first);
-  vtkSMPTools::For(0, vtkSMPTools::GetEstimatedNumberOfThreads(), 1,
+  // The estimate of VTK 9.6 stays at the fewest threads that there have been. A stream beyond those
+  // that there are begins when all items are taken.
+  const int streams = std::max(vtkSMPTools::GetEstimatedNumberOfThreads(),
+    static_cast<int>(std::thread::hardware_concurrency()));
+  vtkSMPTools::For(0, streams, 1,
     [&](vtkIdType, vtkIdType)
     {
+      if (taken >= all)
+      {
+        return;
+      }
       vtkIdType item = 0;
       vtkIdType last = 0;
       work(

@@ -611,10 +611,10 @@ void TestMemories(Check& check, vtkMultiProcessController* controller)
       }
       return source;
     });
-  const auto mesh = RankMeshes::Make(reference::MeshKind::Hexahedra, { { 60, 60, 60 } },
+  const auto mesh = RankMeshes::Make(reference::MeshKind::Hexahedra, { { 72, 72, 72 } },
     CurvedGridSource::Bow, vtkAnalyticFlowSource::UNIFORM, VTK_FLOAT);
   TestMemory(
-    check, controller, "mesh", 61 * 61 * 61, 24, [mesh] { return RankMeshes::MakeSource(mesh); });
+    check, controller, "mesh", 73 * 73 * 73, 24, [mesh] { return RankMeshes::MakeSource(mesh); });
 }
 
 /// Ends the execution of one process while it follows streamlines.
