@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmarks/Flow/FlowCheckpointCost.h"
 #include "Benchmarks/Flow/FlowConservation.h"
 #include "Benchmarks/Flow/FlowExplicit.h"
 #include "Benchmarks/Flow/FlowTolerances.h"
@@ -30,7 +31,11 @@ public:
       "that time. RK4 and RK45 are those of vtkStreamTracer.",
       "hurricane: advection of as many samples, at most 10 units of time; new stream volumes when "
       "the inflow mapping, the interval alone, or the range of times alone changes, against that "
-      "advection. advections: how often it was done again.",
+      "advection. advections: how often it was done again. checkpoints, checkpoints-often: the "
+      "same "
+      "advection with a checkpoint each minute, and whenever the last one took less than a tenth "
+      "of "
+      "the time since, against that without; written: how often there was one.",
       "conservation: stream volumes from a disc in fields without divergence, the flux through "
       "five time surfaces against that through the disc.",
       "contraction, beside, around: the stream volume of a disc where it is known by formulas, "
@@ -49,6 +54,7 @@ public:
   {
     flow::AddToleranceRows(options, rows);
     flow::AddVolumeRows(options, rows);
+    flow::AddCheckpointRows(options, rows);
     flow::AddConservationRows(options, rows);
     flow::AddExplicitRows(options, rows);
   }
@@ -56,7 +62,8 @@ public:
   std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows) const override
   {
     std::vector<BenchClaim> claims = flow::CheckToleranceClaims(rows);
-    for (const auto& check : { flow::CheckVolumeClaims, flow::CheckConservationClaims })
+    for (const auto& check :
+      { flow::CheckVolumeClaims, flow::CheckCheckpointClaims, flow::CheckConservationClaims })
     {
       for (BenchClaim& claim : check(rows))
       {
