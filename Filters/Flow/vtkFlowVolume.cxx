@@ -3,6 +3,7 @@
 
 #include "Common/AbortCheck.h"
 #include "Common/ArrayCheck.h"
+#include "Common/GridCheck.h"
 #include "Common/IntervalCheck.h"
 #include "Common/NamedValue.h"
 #include "Samples/BeyondSamples.h"
@@ -286,6 +287,9 @@ std::string vtkFlowVolume::CheckParameters(vtkDataSet* input, bool usesInflow) c
 {
   std::string wrong =
     interlume::ImplicitFlowArrays::CheckArray(input, vtkFlowStatus::TimeArray(), 1);
+  wrong = wrong.empty()
+    ? interlume::ArrayCheck::MakeSentence(interlume::GridCheck::Find(input))
+    : wrong;
   if (wrong.empty() && usesInflow)
   {
     wrong = interlume::ArrayCheck::FindPointFault(input, "input", vtkFlowStatus::InflowArray(), 1);

@@ -2,6 +2,7 @@
 #include "vtkTimeWeightedTetrahedraMapper.h"
 
 #include "Common/ArrayCheck.h"
+#include "Common/GridCheck.h"
 #include "Draw/TetrahedraRenderer.h"
 #include "Pieces/PieceExchange.h"
 
@@ -186,7 +187,7 @@ std::string vtkTimeWeightedTetrahedraMapper::FindArrays(
     wrong += wrong.empty() ? "" : " for layers";
     arrays.Layers = grid->GetCellData()->GetArray(this->LayerArrayName.c_str());
   }
-  return wrong;
+  return wrong.empty() ? interlume::GridCheck::Find(grid) : wrong;
 }
 
 bool vtkTimeWeightedTetrahedraMapper::HasExtentInTime(vtkDataSet* data) const

@@ -30,6 +30,14 @@ void RunTime(FuzzRandom& random, std::string& text, reference::Check& check);
 /// bounds.
 void RunFlow(FuzzRandom& random, std::string& text, reference::Check& check);
 
+/// Grids whose arrays contradict each other: a message that names the cell or array, and nothing
+/// else.
+void RunDamage(FuzzRandom& random, std::string& text, reference::Check& check);
+
+/// Damaged checkpoints and slabs are refused with a word, and give the output that there is
+/// without.
+void RunFiles(FuzzRandom& random, std::string& text, reference::Check& check);
+
 /// vtkTimeWeightedTetrahedraMapper: pictures of both paths agree on tame data and are finite on
 /// all.
 void RunTetrahedra(FuzzRandom& random, std::string& text, reference::Check& check);

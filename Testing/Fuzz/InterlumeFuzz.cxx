@@ -20,8 +20,8 @@ namespace fuzz
 const std::vector<Family>& GetFamilies()
 {
   static const std::vector<Family> families = { { "intervals", RunIntervals },
-    { "contours", RunContours }, { "time", RunTime }, { "flow", RunFlow },
-    { "tetrahedra", RunTetrahedra }, { "shadows", RunShadows } };
+    { "contours", RunContours }, { "time", RunTime }, { "flow", RunFlow }, { "damage", RunDamage },
+    { "files", RunFiles }, { "tetrahedra", RunTetrahedra }, { "shadows", RunShadows } };
   return families;
 }
 

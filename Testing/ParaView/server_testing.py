@@ -10,7 +10,7 @@ import threading
 from paraview import servermanager, simple
 
 READY = "Accepting connection"
-OF_A_PROCESS = re.compile("OMPI_(?!ALLOW|MCA_rmaps|MCA_btl)|PMIX_|PRTE_|ORTE_")
+OF_A_PROCESS = re.compile("OMPI_(?!ALLOW|MCA_rmaps|MCA_btl)|PMIX_|PRTE_(?!MCA)|ORTE_")
 
 
 def free_port():

@@ -5,6 +5,7 @@
 #include "Common/ArrayCheck.h"
 #include "Common/Blanking.h"
 #include "Common/GridCells.h"
+#include "Common/GridCheck.h"
 #include "Fields/FlowField.h"
 
 #include "vtkAlgorithm.h"
@@ -74,8 +75,9 @@ std::string FieldVectors::CheckVectors(
     }
     association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
   }
-  const std::string wrong = FindPlaceFault(vectors, association);
-  return MakeSentence(wrong.empty() ? FindPointFault(data, vectors, 3) : wrong);
+  std::string wrong = FindPlaceFault(vectors, association);
+  wrong = wrong.empty() ? FindPointFault(data, vectors, 3) : wrong;
+  return MakeSentence(wrong.empty() ? GridCheck::Find(data) : wrong);
 }
 
 std::string FieldVectors::CompareNames(vtkDataArray* first, vtkDataArray* other)

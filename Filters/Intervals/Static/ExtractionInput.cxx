@@ -2,6 +2,7 @@
 #include "Static/ExtractionInput.h"
 
 #include "Common/ArrayCheck.h"
+#include "Common/GridCheck.h"
 #include "Common/IntervalCheck.h"
 #include "Static/ExtractionArrays.h"
 
@@ -47,9 +48,9 @@ std::string ExtractionInput::CheckScalars(
   {
     return "The input has no " + wanted + ".";
   }
-  const std::string wrong = ArrayCheck::FindPlaceFault(array, association);
-  return ArrayCheck::MakeSentence(
-    wrong.empty() ? ArrayCheck::FindPointFault(input, array, 1) : wrong);
+  std::string wrong = ArrayCheck::FindPlaceFault(array, association);
+  wrong = wrong.empty() ? ArrayCheck::FindPointFault(input, array, 1) : wrong;
+  return ArrayCheck::MakeSentence(wrong.empty() ? GridCheck::Find(input) : wrong);
 }
 
 std::string ExtractionInput::CheckIntervals(const std::vector<std::array<double, 2>>& intervals)

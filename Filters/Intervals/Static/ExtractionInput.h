@@ -24,8 +24,9 @@ class ExtractionInput
 {
 public:
   /**
-   * Returns why \a array cannot be the scalar of \a input, or nothing. \a association is that of
-   * the array; \a wanted describes what was asked for.
+   * Returns why \a array cannot be the scalar of \a input, or how the arrays that \a input is made of
+   * contradict each other, or nothing. \a association is that of the array; \a wanted describes what
+   * was asked for.
    */
   static std::string CheckScalars(
     vtkDataSet* input, vtkAbstractArray* array, int association, const std::string& wanted);
