@@ -7,14 +7,43 @@
 #include "vtkSMPTools.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <atomic> // for what threads have begun
+#include <chrono> // for how long one waits
+#include <thread> // for those that wait
+
 namespace reference
 {
 
 void SetThreads(int threads)
 {
-  // VTK 9.6 takes no more threads than it had, unless all of them were asked for in between.
+  // TBB in VTK 9.6 takes no more threads than it had, unless all were asked for in between; then
+  // VTK up to 9.5 does not take the number that it had before all, unless there was another.
   vtkSMPTools::Initialize();
+  vtkSMPTools::Initialize(static_cast<int>(std::thread::hardware_concurrency()));
   vtkSMPTools::Initialize(threads);
+}
+
+bool HasThreads(bool isUnlikely)
+{
+  const std::chrono::milliseconds wait(isUnlikely ? 5 : 20000);
+  std::atomic<int> begun(0);
+  std::atomic<int> alone(0);
+  vtkSMPTools::For(0, 2, 1,
+    [&](vtkIdType, vtkIdType)
+    {
+      ++begun;
+      const auto end = std::chrono::steady_clock::now() + wait;
+      while (begun < 2)
+      {
+        if (std::chrono::steady_clock::now() > end)
+        {
+          ++alone;
+          return;
+        }
+        std::this_thread::yield();
+      }
+    });
+  return alone == 0;
 }
 
 const std::vector<const char*>& GetBackends()

@@ -18,6 +18,10 @@ namespace reference
 /// The backend in use has \a threads threads from here on, or as many as it can have.
 void SetThreads(int threads);
 
+/// Whether two parts of a loop run at the same time, which one thread waits for: a moment where it
+/// \a isUnlikely. The estimate of VTK 9.6 stays at the fewest threads that there have been.
+bool HasThreads(bool isUnlikely);
+
 /// Names of the backends of vtkSMPTools to compare: not all are there. Those of libraries that are
 /// not built with ThreadSanitizer are left out under it, since it does not see their locks.
 const std::vector<const char*>& GetBackends();
