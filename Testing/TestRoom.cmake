@@ -52,6 +52,8 @@ function (interlume_add_test_room room)
       MODULES VTK::RenderingCore VTK::RenderingOpenGL2 VTK::RenderingVolumeOpenGL2)
   endif ()
 
+  # Which interlume_stability_tests of this folder need.
+  set(interlume_room_program ${program} PARENT_SCOPE)
   foreach (file IN LISTS files)
     get_filename_component(test "${file}" NAME_WE)
     add_test(NAME ${test} COMMAND ${program} ${test})
@@ -72,9 +74,20 @@ function (interlume_add_test_room room)
   endforeach ()
 endfunction ()
 
-# interlume_stability_tests(TEST...): these report their cases for the catalogue of stability.
+# interlume_stability_tests(TEST...): these, of the room before, report their cases for the catalogue
+# of stability, whose list of tests is what StabilityCatalogue::Gather reads.
 function (interlume_stability_tests)
-  set_tests_properties(${ARGN} PROPERTIES LABELS "value;stability")
+  set_tests_properties(${ARGN} PROPERTIES LABELS "value;stability" FIXTURES_SETUP stability_cases)
   set_property(TEST ${ARGN} APPEND PROPERTY
     ENVIRONMENT "INTERLUME_STABILITY_DIR=${CMAKE_BINARY_DIR}/Testing/Stability")
+  foreach (test IN LISTS ARGN)
+    set_property(GLOBAL APPEND_STRING PROPERTY INTERLUME_STABILITY_TESTS
+      "${test}\t$<TARGET_FILE:${interlume_room_program}>\n")
+  endforeach ()
+endfunction ()
+
+# Writes that list, when all tests are known.
+function (interlume_write_stability_tests)
+  get_property(tests GLOBAL PROPERTY INTERLUME_STABILITY_TESTS)
+  file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/Testing/Stability/tests.txt" CONTENT "${tests}")
 endfunction ()

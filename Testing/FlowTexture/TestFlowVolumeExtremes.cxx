@@ -57,6 +57,7 @@ public:
   FlowTable(int argc, char* argv[])
     : Catalogue("TestFlowVolumeExtremes", argc, argv)
   {
+    this->Catalogue.SetClass("vtkImplicitFlowVolumeMapper");
   }
 
   /// The largest difference of two pictures.

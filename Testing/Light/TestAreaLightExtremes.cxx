@@ -77,6 +77,7 @@ public:
   AreaTable(int argc, char* argv[])
     : Catalogue("TestAreaLightExtremes", argc, argv)
   {
+    this->Catalogue.SetClass("vtkAreaLight");
   }
 
   /// The mapper's picture, by layers where the light can have them, against the mean of the

@@ -45,6 +45,7 @@ public:
   ShadowTable(int argc, char* argv[])
     : Catalogue("TestShadowExtremes", argc, argv)
   {
+    this->Catalogue.SetClass("vtkShadowedSliceMapper");
   }
 
   /// The mapper's picture against the reference.
@@ -406,7 +407,8 @@ int TestShadowExtremes(int argc, char* argv[])
   TestMaterials(table);
   TestManySlices(table);
   TestNan(table);
-  TestScreens(table);
   TestErrors(table);
+  table.Catalogue.SetClass("vtkProjectiveLight");
+  TestScreens(table);
   return table.Catalogue.GetExitCode();
 }

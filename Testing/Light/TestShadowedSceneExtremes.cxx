@@ -77,6 +77,7 @@ public:
   SceneTable(int argc, char* argv[])
     : Catalogue("TestShadowedSceneExtremes", argc, argv)
   {
+    this->Catalogue.SetClass("vtkShadowedScenePass");
   }
 
   /// Two scenes have the same picture.

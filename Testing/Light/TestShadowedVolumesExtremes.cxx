@@ -50,6 +50,7 @@ public:
   VolumeTable(int argc, char* argv[])
     : Catalogue("TestShadowedVolumesExtremes", argc, argv)
   {
+    this->Catalogue.SetClass("vtkShadowedScenePass");
   }
 
   RgbaPicture Draw(const Change& add, double scale = 1.0)

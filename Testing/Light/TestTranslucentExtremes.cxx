@@ -62,6 +62,7 @@ public:
   Table(int argc, char* argv[])
     : Catalogue("TestTranslucentExtremes", argc, argv)
   {
+    this->Catalogue.SetClass("vtkShadowedScenePass");
   }
 
   /// Two scenes have the same picture.

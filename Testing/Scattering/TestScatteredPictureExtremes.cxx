@@ -88,6 +88,7 @@ public:
   Table(int argc, char* argv[])
     : Catalogue("TestScatteredPictureExtremes", argc, argv)
   {
+    this->Catalogue.SetClass("vtkShadowedSliceMapper");
   }
 
   /// All modes draw numbers, nothing negative, no more than a bound, and something where that is

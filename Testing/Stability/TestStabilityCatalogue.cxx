@@ -2,6 +2,7 @@
 // The stability helper itself: what is reported is what is gathered, and what is wrong fails.
 #include "Pages/StabilityCase.h"
 
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -9,6 +10,8 @@
 #include <iostream>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -32,6 +35,7 @@ void TestExitCodes()
 
   const double nan = std::numeric_limits<double>::quiet_NaN();
   StabilityCatalogue wrong("Wrong", 1, arguments);
+  wrong.SetClass("vtkThing");
   Expect(wrong.Measure("inside", "", "", -1.0, 1.0), "a number at its bound passes");
   Expect(wrong.GetExitCode() == EXIT_SUCCESS, "a test whose cases pass succeeds");
   Expect(!wrong.Measure("outside", "", "", -1.5, 1.0), "a number beyond its bound fails");
@@ -39,43 +43,116 @@ void TestExitCodes()
   Expect(wrong.GetExitCode() == EXIT_FAILURE, "one failed case fails the test");
 }
 
-void TestGathered(const std::string& folder)
+/// Makes a program and the list of tests, all older than what a test reports from now on.
+void ListTests(const std::string& folder, const std::vector<std::string>& tests)
+{
+  std::filesystem::create_directories(folder);
+  const std::string program = folder + "/program";
+  std::ofstream(program) << "program";
+  std::ofstream list(folder + "/tests.txt");
+  for (const std::string& test : tests)
+  {
+    list << test << "\t" << program << "\n";
+  }
+}
+
+StabilityCatalogue MakeCatalogue(const std::string& test, const std::string& folder)
 {
   char program[] = "test";
   char option[] = "-T";
   std::string copy = folder;
   char* arguments[] = { program, option, &copy[0] };
-  StabilityCatalogue second("B", 3, arguments);
+  StabilityCatalogue catalogue(test, 3, arguments);
+  catalogue.SetClass("vtkThing");
+  return catalogue;
+}
+
+void TestGathered(const std::string& folder)
+{
+  ListTests(folder, { "B", "A" });
+  StabilityCatalogue second = MakeCatalogue("B", folder);
+  second.SetClass("vtkOther");
   second.Check("message", "a byte that is not UTF-8", "kept", "\xff", true);
-  StabilityCatalogue first("A", 3, arguments);
-  first.Measure("number", "tiny", "small error", 0.25, 0.5);
+  second.GetExitCode();
+  StabilityCatalogue first = MakeCatalogue("A", folder);
+  first.Measure("number", "tiny", "small error", 0.25, 0.5, "explicit: 7");
   first.Check("words", "empty", "no crash", "crash", false);
+  first.GetExitCode();
 
   const std::vector<StabilityCase> cases = StabilityCatalogue::Gather(folder);
   Expect(cases.size() == 3, "every case is gathered");
   if (cases.size() == 3)
   {
-    Expect(cases[0].Test == "A" && cases[0].Name == "number" && cases[0].Extreme == "tiny" &&
-        cases[0].Expected == "small error" && cases[0].Measured == "0.25" &&
-        cases[0].Bound == 0.5 && cases[0].Passed,
+    Expect(cases[0].Test == "A" && cases[0].Class == "vtkThing" && cases[0].Name == "number" &&
+        cases[0].Extreme == "tiny" && cases[0].Expected == "small error" &&
+        cases[0].Measured == "0.25" && cases[0].Bound == 0.5 && cases[0].Passed &&
+        cases[0].Method == "explicit: 7",
       "a measured case comes back as it was");
     Expect(cases[1].Measured == "crash" && std::isnan(cases[1].Bound) && !cases[1].Passed,
       "a checked case comes back as it was");
-    Expect(cases[2].Test == "B", "cases are ordered by test");
+    Expect(cases[2].Test == "B" && cases[2].Class == "vtkOther", "cases are ordered by test");
   }
-  Expect(StabilityCatalogue::Gather(folder + "/missing").empty(), "a missing folder is empty");
+  const std::vector<StabilityCount> counts = CountByClass(cases);
+  Expect(counts.size() == 2 && counts[0].Class == "vtkOther" && counts[0].Cases == 1 &&
+      counts[0].Measured == 0 && counts[1].Cases == 2 && counts[1].Measured == 1 &&
+      counts[1].Passed == 1,
+    "cases are counted by class");
+}
 
-  std::ofstream(folder + "/broken.stability.json") << "{";
-  bool thrown = false;
+/// Whether a folder is refused, with these words.
+bool IsRefused(const std::string& folder, const std::string& words)
+{
   try
   {
     StabilityCatalogue::Gather(folder);
   }
   catch (const std::runtime_error& error)
   {
-    thrown = std::string(error.what()).find("broken") != std::string::npos;
+    return std::string(error.what()).find(words) != std::string::npos;
   }
-  Expect(thrown, "a broken file is named");
+  return false;
+}
+
+void TestRefused(const std::string& folder)
+{
+  Expect(IsRefused(folder, "tests.txt is missing"), "a missing folder is an error");
+  ListTests(folder, {});
+  Expect(IsRefused(folder, "names no test"), "a list of no test is an error");
+  ListTests(folder, { "Test" });
+  Expect(IsRefused(folder, "Test: has not run"), "missing cases are an error");
+
+  StabilityCatalogue catalogue = MakeCatalogue("Test", folder);
+  catalogue.GetExitCode();
+  Expect(IsRefused(folder, "Test: has no case"), "no cases are an error");
+  StabilityCatalogue crashed = MakeCatalogue("Test", folder);
+  crashed.Check("before", "", "", "", true);
+  Expect(IsRefused(folder, "Test: did not come to its end"), "a crash is an error");
+  crashed.GetExitCode();
+  Expect(StabilityCatalogue::Gather(folder).size() == 1, "a run that ended is gathered");
+
+  const auto made = std::filesystem::last_write_time(folder + "/program");
+  std::filesystem::last_write_time(folder + "/program", made + std::chrono::hours(1));
+  Expect(
+    IsRefused(folder, "Test: ran before its program"), "cases older than a program are an error");
+  std::filesystem::last_write_time(folder + "/program", made);
+  MakeCatalogue("Gone", folder).GetExitCode();
+  Expect(IsRefused(folder, "Gone: is no test"), "cases of a test that is gone are an error");
+  std::filesystem::remove(folder + "/Gone.stability.json");
+  std::ofstream(folder + "/Test.stability.json") << "{";
+  Expect(IsRefused(folder, "Test: [json"), "a broken file is an error");
+
+  bool isThrown = false;
+  try
+  {
+    char program[] = "test";
+    char* arguments[] = { program };
+    StabilityCatalogue("Nameless", 1, arguments).Check("row", "", "", "", true);
+  }
+  catch (const std::logic_error&)
+  {
+    isThrown = true;
+  }
+  Expect(isThrown, "a case of no class is an error");
 }
 }
 
@@ -89,5 +166,6 @@ int main(int argc, char* argv[])
   std::filesystem::remove_all(argv[1]);
   TestExitCodes();
   TestGathered(argv[1]);
+  TestRefused(std::string(argv[1]) + "/refused");
   return Right ? EXIT_SUCCESS : EXIT_FAILURE;
 }

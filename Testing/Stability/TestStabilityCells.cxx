@@ -240,6 +240,7 @@ void TestCoordinates(StabilityCatalogue& catalogue)
 int TestStabilityCells(int argc, char* argv[])
 {
   StabilityCatalogue catalogue("TestStabilityCells", argc, argv);
+  catalogue.SetClass("vtkIntervalVolume");
   TestFlatCells(catalogue);
   TestInvertedCells(catalogue);
   TestRepeatedPoints(catalogue);

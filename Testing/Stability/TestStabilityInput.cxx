@@ -104,6 +104,7 @@ void TestErrors(StabilityCatalogue& catalogue, const std::vector<ErrorCase<Filte
     }
     one.Mend(filter);
     const std::string later = MessagesOf(filter);
+    catalogue.SetClass(filter->GetClassName());
     passed = passed && later.empty() && filter->GetOutput()->GetNumberOfCells() > 0;
     catalogue.Check(std::string(filter->GetClassName()) + "-" + one.Name, one.Extreme,
       expected + "; mended, it works", errors.empty() ? "no error" : Words(errors), passed);
@@ -193,6 +194,7 @@ void TestNothing(StabilityCatalogue& catalogue, const char* name, const char* ex
   set(filter);
   const std::string warning = Words(WarningsOf(filter));
   const bool empty = IsEmpty(filter);
+  catalogue.SetClass(filter->GetClassName());
   catalogue.Check(std::string(filter->GetClassName()) + "-" + name, extreme,
     "an empty output and a warning that says \"" + said + "\"",
     (empty ? "an empty output, " : "an output, ") + (warning.empty() ? "no warning" : warning),
@@ -241,6 +243,7 @@ void TestSettings(StabilityCatalogue& catalogue)
   const int afterNegative = filter->GetNumberOfIntervals();
   filter->SetNumberOfIntervals(10001);
   const int afterMany = filter->GetNumberOfIntervals();
+  catalogue.SetClass(filter->GetClassName());
   const bool passed = afterIndices == 0 && afterNegative == 0 && afterMany <= 10000;
   catalogue.Check("interval-indices", "indices and numbers of intervals out of range",
     "refused: 0 to 10000 intervals",
@@ -258,9 +261,12 @@ void TestSettings(StabilityCatalogue& catalogue)
   vtkNew<vtkIsotableContour> contour;
   contour->AddObserver(vtkCommand::ErrorEvent, observer);
   const double value = contour->GetValue(4);
-  catalogue.Check("getter-indices", "an interval, a criterion and a value that are not there",
-    "no crash, no name", "value " + std::to_string(value) + (noName ? ", no name" : ", a name"),
-    noName);
+  catalogue.Check("getter-indices", "an interval and a criterion that are not there",
+    "bounds as they were, no name",
+    "lower " + std::to_string(lower) + (noName ? ", no name" : ", a name"),
+    noName && lower == 7.0 && upper == 7.0);
+  catalogue.SetClass(contour->GetClassName());
+  catalogue.Measure("getter-index", "a value that is not there", "0", value, 0.0);
 }
 
 }

@@ -310,6 +310,7 @@ void TestWorkers(StabilityCatalogue& catalogue)
 int TestStabilityMesher(int argc, char* argv[])
 {
   StabilityCatalogue catalogue("TestStabilityMesher", argc, argv);
+  catalogue.SetClass("vtkTetrahedralMesher");
   TestSurfaces(catalogue);
   TestScales(catalogue);
   TestPoints(catalogue);

@@ -271,6 +271,7 @@ void TestGrids(StabilityCatalogue& catalogue)
 int TestStabilityTimeVarying(int argc, char* argv[])
 {
   StabilityCatalogue catalogue("TestStabilityTimeVarying", argc, argv);
+  catalogue.SetClass("vtkTimeVaryingIntervalVolume");
   TestTimes(catalogue);
   TestValues(catalogue);
   TestGrids(catalogue);

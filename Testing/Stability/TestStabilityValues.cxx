@@ -293,6 +293,7 @@ void TestNotFinite(StabilityCatalogue& catalogue)
 int TestStabilityValues(int argc, char* argv[])
 {
   StabilityCatalogue catalogue("TestStabilityValues", argc, argv);
+  catalogue.SetClass("vtkIntervalVolume");
   TestRanges(catalogue);
   TestEqualBounds(catalogue);
   TestConstant(catalogue);

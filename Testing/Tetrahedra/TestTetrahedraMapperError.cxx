@@ -55,6 +55,7 @@ public:
   ErrorTable(int argc, char* argv[])
     : Catalogue("TestTetrahedraMapperError", argc, argv)
   {
+    this->Catalogue.SetClass("vtkTimeWeightedTetrahedraMapper");
   }
 
   void Measure(const std::string& name, const std::string& extreme, vtkUnstructuredGrid* grid,
@@ -87,7 +88,7 @@ public:
     }
   }
 
-  int GetExitCode() const { return this->Catalogue.GetExitCode(); }
+  int GetExitCode() { return this->Catalogue.GetExitCode(); }
 
 private:
   StabilityCatalogue Catalogue;

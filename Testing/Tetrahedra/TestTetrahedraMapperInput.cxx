@@ -162,6 +162,7 @@ public:
   Table(int argc, char* argv[])
     : Catalogue("TestTetrahedraMapperInput", argc, argv)
   {
+    this->Catalogue.SetClass("vtkTimeWeightedTetrahedraMapper");
   }
 
   /// Expects one error with each of the words, nothing drawn, and no error in the next pictures.
@@ -230,7 +231,7 @@ public:
     }
   }
 
-  int GetExitCode() const { return this->Catalogue.GetExitCode(); }
+  int GetExitCode() { return this->Catalogue.GetExitCode(); }
 
 private:
   StabilityCatalogue Catalogue;

@@ -93,6 +93,8 @@ const BenchSuite& Find(const Suites& suites, const std::string& name)
 
 void WriteReport(const Suites& suites, const Arguments& arguments)
 {
+  // First, since it fails where there are none, and the suites take long.
+  const std::vector<StabilityCase> cases = StabilityCatalogue::Gather(arguments.Stability);
   BenchResults results = arguments.From.empty() ? BenchResults::Here(arguments.Options)
                                                 : BenchResults::Read(arguments.From);
   const PlotDrawer drawer(arguments.Out, MachineInOneLine(results.Machine, results.Vtk));
@@ -111,7 +113,7 @@ void WriteReport(const Suites& suites, const Arguments& arguments)
     const auto plots = drawer.Draw(suite->MakePlots(results.RowsOf(suite->GetName())));
     page.AddSuite(*suite, plots);
   }
-  page.AddCatalogue(StabilityCatalogue::Gather(arguments.Stability));
+  page.AddCatalogue(cases);
   const std::string path = (folder / "index.html").string();
   page.Write(path);
   std::cout << path << std::endl;

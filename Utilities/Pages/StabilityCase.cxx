@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <map>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -43,12 +45,16 @@ std::string InShort(double value)
 
 nlohmann::json ToJson(const StabilityCase& oneCase)
 {
-  nlohmann::json json = { { "name", oneCase.Name }, { "extreme", oneCase.Extreme },
-    { "expected", oneCase.Expected }, { "measured", oneCase.Measured },
-    { "passed", oneCase.Passed }, { "test", oneCase.Test } };
+  nlohmann::json json = { { "class", oneCase.Class }, { "name", oneCase.Name },
+    { "extreme", oneCase.Extreme }, { "expected", oneCase.Expected },
+    { "measured", oneCase.Measured }, { "passed", oneCase.Passed }, { "test", oneCase.Test } };
   if (!std::isnan(oneCase.Bound))
   {
     json["bound"] = oneCase.Bound;
+  }
+  if (!oneCase.Method.empty())
+  {
+    json["method"] = oneCase.Method;
   }
   return json;
 }
@@ -56,14 +62,85 @@ nlohmann::json ToJson(const StabilityCase& oneCase)
 StabilityCase FromJson(const nlohmann::json& json)
 {
   StabilityCase oneCase;
+  oneCase.Class = json.at("class");
   oneCase.Name = json.at("name");
   oneCase.Extreme = json.at("extreme");
   oneCase.Expected = json.at("expected");
   oneCase.Measured = json.at("measured");
   oneCase.Bound = json.value("bound", oneCase.Bound);
   oneCase.Passed = json.at("passed");
+  oneCase.Method = json.value("method", "");
   oneCase.Test = json.at("test");
   return oneCase;
+}
+
+/// The program of each test that a file names.
+std::map<std::string, std::string> ReadPrograms(const std::filesystem::path& path)
+{
+  std::map<std::string, std::string> programs;
+  std::ifstream file(path);
+  std::string line;
+  while (std::getline(file, line))
+  {
+    const std::size_t tab = line.find('\t');
+    if (tab != std::string::npos)
+    {
+      programs[line.substr(0, tab)] = line.substr(tab + 1);
+    }
+  }
+  return programs;
+}
+
+/// The tests that have a file in a folder.
+std::set<std::string> FindTests(const std::filesystem::path& folder)
+{
+  std::set<std::string> tests;
+  const std::string suffix = FileSuffix;
+  if (std::filesystem::is_directory(folder))
+  {
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+    {
+      const std::string name = entry.path().filename().string();
+      if (name.size() > suffix.size() &&
+        name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0)
+      {
+        tests.insert(name.substr(0, name.size() - suffix.size()));
+      }
+    }
+  }
+  return tests;
+}
+
+/// Adds the cases of one file. Returns what is wrong with it, or nothing.
+std::string ReadCases(const std::filesystem::path& path, const std::filesystem::path& program,
+  std::vector<StabilityCase>& cases)
+{
+  if (!std::filesystem::exists(path) || !std::filesystem::exists(program))
+  {
+    return "has not run";
+  }
+  if (std::filesystem::last_write_time(path) < std::filesystem::last_write_time(program))
+  {
+    return "ran before its program was made anew";
+  }
+  try
+  {
+    std::ifstream file(path);
+    const nlohmann::json catalogue = nlohmann::json::parse(file);
+    if (!catalogue.at("ended"))
+    {
+      return "did not come to its end";
+    }
+    for (const auto& json : catalogue.at("cases"))
+    {
+      cases.push_back(FromJson(json));
+    }
+    return catalogue.at("cases").empty() ? "has no case" : "";
+  }
+  catch (const nlohmann::json::exception& error)
+  {
+    return error.what();
+  }
 }
 }
 
@@ -77,8 +154,13 @@ StabilityCatalogue::StabilityCatalogue(const std::string& test, int argc, char* 
   }
 }
 
+void StabilityCatalogue::SetClass(const std::string& name)
+{
+  this->Class = name;
+}
+
 bool StabilityCatalogue::Measure(const std::string& name, const std::string& extreme,
-  const std::string& expected, double measured, double bound)
+  const std::string& expected, double measured, double bound, const std::string& method)
 {
   StabilityCase oneCase;
   oneCase.Name = name;
@@ -87,11 +169,12 @@ bool StabilityCatalogue::Measure(const std::string& name, const std::string& ext
   oneCase.Measured = InShort(measured);
   oneCase.Bound = bound;
   oneCase.Passed = std::abs(measured) <= bound;
+  oneCase.Method = method;
   return this->Report(std::move(oneCase));
 }
 
 bool StabilityCatalogue::Check(const std::string& name, const std::string& extreme,
-  const std::string& expected, const std::string& measured, bool passed)
+  const std::string& expected, const std::string& measured, bool passed, const std::string& method)
 {
   StabilityCase oneCase;
   oneCase.Name = name;
@@ -99,17 +182,28 @@ bool StabilityCatalogue::Check(const std::string& name, const std::string& extre
   oneCase.Expected = expected;
   oneCase.Measured = measured;
   oneCase.Passed = passed;
+  oneCase.Method = method;
   return this->Report(std::move(oneCase));
 }
 
 bool StabilityCatalogue::Report(StabilityCase oneCase)
 {
+  if (this->Class.empty())
+  {
+    throw std::logic_error(this->Test + " names no class before its case " + oneCase.Name);
+  }
   oneCase.Test = this->Test;
-  std::cout << (oneCase.Passed ? "pass  " : "FAIL  ") << oneCase.Name << ": " << oneCase.Extreme
-            << "; expected: " << oneCase.Expected << "; measured: " << oneCase.Measured;
+  oneCase.Class = this->Class;
+  std::cout << (oneCase.Passed ? "pass  " : "FAIL  ") << oneCase.Class << " " << oneCase.Name
+            << ": " << oneCase.Extreme << "; expected: " << oneCase.Expected
+            << "; measured: " << oneCase.Measured;
   if (!std::isnan(oneCase.Bound))
   {
     std::cout << " (bound " << oneCase.Bound << ")";
+  }
+  if (!oneCase.Method.empty())
+  {
+    std::cout << "; method: " << oneCase.Method;
   }
   std::cout << std::endl;
   this->Cases.push_back(std::move(oneCase));
@@ -123,7 +217,8 @@ void StabilityCatalogue::Write() const
   {
     return;
   }
-  nlohmann::json json = { { "test", this->Test }, { "cases", nlohmann::json::array() } };
+  nlohmann::json json = { { "test", this->Test }, { "ended", this->IsAtEnd },
+    { "cases", nlohmann::json::array() } };
   for (const StabilityCase& oneCase : this->Cases)
   {
     json["cases"].push_back(ToJson(oneCase));
@@ -139,8 +234,10 @@ void StabilityCatalogue::Write() const
   }
 }
 
-int StabilityCatalogue::GetExitCode() const
+int StabilityCatalogue::GetExitCode()
 {
+  this->IsAtEnd = true;
+  this->Write();
   const bool passed = !this->Cases.empty() &&
     std::all_of(this->Cases.begin(), this->Cases.end(),
       [](const StabilityCase& oneCase) { return oneCase.Passed; });
@@ -149,38 +246,42 @@ int StabilityCatalogue::GetExitCode() const
 
 std::vector<StabilityCase> StabilityCatalogue::Gather(const std::string& folder)
 {
-  std::vector<std::filesystem::path> paths;
-  if (std::filesystem::is_directory(folder))
-  {
-    const std::string suffix = FileSuffix;
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-    {
-      const std::string name = entry.path().filename().string();
-      if (name.size() > suffix.size() &&
-        name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0)
-      {
-        paths.push_back(entry.path());
-      }
-    }
-  }
-  std::sort(paths.begin(), paths.end());
-
+  const std::filesystem::path root = folder;
+  const std::map<std::string, std::string> programs = ReadPrograms(root / "tests.txt");
   std::vector<StabilityCase> cases;
-  for (const auto& path : paths)
+  std::string problems = programs.empty() ? "\n  tests.txt is missing or names no test" : "";
+  for (const auto& [test, program] : programs)
   {
-    try
-    {
-      std::ifstream file(path);
-      const nlohmann::json catalogue = nlohmann::json::parse(file);
-      for (const auto& json : catalogue.at("cases"))
-      {
-        cases.push_back(FromJson(json));
-      }
-    }
-    catch (const nlohmann::json::exception& error)
-    {
-      throw std::runtime_error(path.string() + ": " + error.what());
-    }
+    const std::string problem = ReadCases(root / (test + FileSuffix), program, cases);
+    problems += problem.empty() ? problem : "\n  " + test + ": " + problem;
+  }
+  for (const std::string& test : FindTests(root))
+  {
+    problems += programs.count(test) == 0 ? "\n  " + test + ": is no test of this build" : "";
+  }
+  if (!problems.empty())
+  {
+    throw std::runtime_error("the stability cases in " + folder +
+      " are not those of this build; run ctest --label-regex stability:" + problems);
   }
   return cases;
+}
+
+std::vector<StabilityCount> CountByClass(const std::vector<StabilityCase>& cases)
+{
+  std::map<std::string, StabilityCount> counts;
+  for (const StabilityCase& oneCase : cases)
+  {
+    StabilityCount& count = counts[oneCase.Class];
+    count.Class = oneCase.Class;
+    ++count.Cases;
+    count.Passed += oneCase.Passed ? 1 : 0;
+    count.Measured += std::isnan(oneCase.Bound) ? 0 : 1;
+  }
+  std::vector<StabilityCount> list;
+  for (const auto& [name, count] : counts)
+  {
+    list.push_back(count);
+  }
+  return list;
 }

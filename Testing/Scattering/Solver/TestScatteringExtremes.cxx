@@ -23,6 +23,7 @@ public:
   SolverTable(int argc, char* argv[])
     : Catalogue("TestScatteringExtremes", argc, argv)
   {
+    this->Catalogue.SetClass("vtkShadowedSliceMapper");
   }
 
   /// Both modes: values are finite and not negative, and the energy is what came in. NaN where no
@@ -69,7 +70,7 @@ public:
     return all;
   }
 
-  int GetExitCode() const { return this->Catalogue.GetExitCode(); }
+  int GetExitCode() { return this->Catalogue.GetExitCode(); }
 
 private:
   StabilityCatalogue Catalogue;

@@ -74,16 +74,11 @@ void ReportPage::AddCatalogue(const std::vector<StabilityCase>& cases)
   const auto passed = std::count_if(
     cases.begin(), cases.end(), [](const StabilityCase& oneCase) { return oneCase.Passed; });
   std::ostringstream text;
-  text << "<h2 id=\"stability\">stability</h2>\n<p>";
-  if (cases.empty())
-  {
-    text << "No case found: run the tests with label <code>stability</code> first.";
-  }
-  else
-  {
-    text << passed << " of " << cases.size() << " cases passed.";
-  }
-  text << "</p>\n" << Folded(std::to_string(cases.size()) + " cases", html::TableOf(cases));
+  const std::vector<StabilityCount> counts = CountByClass(cases);
+  text << "<h2 id=\"stability\">stability</h2>\n<p>" << passed << " of " << cases.size()
+       << " cases of extreme and stiff input passed.</p>\n"
+       << Folded(std::to_string(counts.size()) + " classes", html::TableOf(counts))
+       << Folded(std::to_string(cases.size()) + " cases", html::TableOf(cases));
   this->Body += text.str();
 }
 

@@ -187,15 +187,38 @@ std::string TableOf(const std::vector<StabilityCase>& cases)
     return {};
   }
   std::ostringstream html;
-  html << "<div class=\"wide\"><table><tr><th>test</th><th>case</th><th>what is extreme</th>"
-       << "<th>expected</th><th>measured</th><th>bound</th><th>passed</th></tr>\n";
+  html << "<div class=\"wide\"><table><tr><th>class</th><th>case</th><th>what is extreme</th>"
+       << "<th>expected</th><th>measured</th><th>bound</th><th>method and steps</th>"
+       << "<th>passed</th><th>test</th></tr>\n";
   for (const StabilityCase& oneCase : cases)
   {
-    html << "<tr><td>" << Escaped(oneCase.Test) << "</td><td>" << Escaped(oneCase.Name)
+    html << "<tr><td>" << Escaped(oneCase.Class) << "</td><td>" << Escaped(oneCase.Name)
          << "</td><td>" << Escaped(oneCase.Extreme) << "</td><td>" << Escaped(oneCase.Expected)
          << "</td><td>" << Escaped(oneCase.Measured) << "</td><td class=\"number\">"
          << (std::isnan(oneCase.Bound) ? "" : Number(oneCase.Bound)) << "</td><td>"
-         << Verdict(oneCase.Passed, oneCase.Passed ? "yes" : "no") << "</td></tr>\n";
+         << Escaped(oneCase.Method) << "</td><td>"
+         << Verdict(oneCase.Passed, oneCase.Passed ? "yes" : "no") << "</td><td>"
+         << Escaped(oneCase.Test) << "</td></tr>\n";
+  }
+  html << "</table></div>\n";
+  return html.str();
+}
+
+std::string TableOf(const std::vector<StabilityCount>& counts)
+{
+  if (counts.empty())
+  {
+    return {};
+  }
+  std::ostringstream html;
+  html
+    << "<div class=\"wide\"><table><tr><th>class</th><th>cases</th><th>compared with a bound</th>"
+    << "<th>passed</th></tr>\n";
+  for (const StabilityCount& count : counts)
+  {
+    html << "<tr><td>" << Escaped(count.Class) << "</td><td class=\"number\">" << count.Cases
+         << "</td><td class=\"number\">" << count.Measured << "</td><td class=\"number\">"
+         << Verdict(count.Passed == count.Cases, std::to_string(count.Passed)) << "</td></tr>\n";
   }
   html << "</table></div>\n";
   return html.str();

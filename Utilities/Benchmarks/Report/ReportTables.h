@@ -33,9 +33,10 @@ std::string TableOf(const std::vector<SuiteClaim>& claims);
 std::string TableOf(const std::vector<BenchRow>& rows);
 
 /**
- * The stability catalogue.
+ * The stability catalogue, and the numbers of its cases a class.
  */
 std::string TableOf(const std::vector<StabilityCase>& cases);
+std::string TableOf(const std::vector<StabilityCount>& counts);
 }
 
 #endif
