@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkStreamlineTexture: what its levels hold, how many lines are seen at which distance, that they
 // never average, grids, colours, uploads.
+#include "Pages/StabilityCase.h"
 #include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkStreamlineTexture.h"
@@ -209,7 +210,7 @@ Lines FindLines(const Quad::Row& row, int first, int last)
 }
 
 /// Lines that are seen of a quad whose side has so many pixels; how far apart they are.
-void TestDistances(Check& check, int direction)
+void TestDistances(StabilityCatalogue& catalogue, int direction)
 {
   vtkNew<vtkStreamlineTexture> texture;
   texture->SetNumberOfLines(1024);
@@ -222,46 +223,51 @@ void TestDistances(Check& check, int direction)
   for (const double pixels :
     { 40.0, 64.0, 90.0, 100.0, 150.0, 256.0, 400.0, 480.0, 1024.0, 1700.0, 3000.0, 8000.0 })
   {
-    check.SetContext("a side of " + std::to_string(pixels) + " pixels: ");
+    std::ostringstream name;
+    name << "side-" << pixels << (isColumn ? "-t" : "-s");
+    const std::string extreme =
+      "1024 lines over " + std::to_string(static_cast<int>(pixels)) + " pixels";
     quad.SetPixels(pixels);
     const int half = static_cast<int>(std::min(pixels, static_cast<double>(WINDOW)) / 2.0);
     const Lines lines = FindLines(quad.Draw(isColumn), WINDOW / 2 - half, WINDOW / 2 + half - 1);
     const double apart = 2.0 * half / static_cast<double>(lines.Places.size());
     const auto seen = static_cast<double>(lines.Places.size()) * pixels / (2.0 * half);
-    check.That(apart >= 16.0 / 1.5 && apart <= 16.0 * 1.5,
-      "lines are " + std::to_string(apart) + " pixels apart");
-    check.That(seen >= before, "no fewer lines than from farther away");
+    catalogue.Measure(name.str(), extreme, "logarithm to 2 of the lines' distance over 16 pixels",
+      std::log2(apart / 16.0), std::log2(1.5));
+    bool isOrdered = seen >= before;
     for (const auto& farther : all)
     {
-      check.That(2.0 * farther.first > pixels || seen >= 1.5 * farther.second,
-        "more lines than from twice as far away");
+      isOrdered = isOrdered && (2.0 * farther.first > pixels || seen >= 1.5 * farther.second);
     }
+    catalogue.Check(name.str() + "-order", extreme,
+      "no fewer lines than from farther away, and more than from twice as far",
+      std::to_string(seen) + " lines", isOrdered);
     all.emplace_back(pixels, seen);
     before = seen;
-    check.That(lines.Lightest >= 0.95, "between lines " + std::to_string(lines.Lightest));
-    check.That(lines.Darkest <= 0.3, "lines " + std::to_string(lines.Darkest));
+    catalogue.Measure(name.str() + "-contrast", extreme, "what lines and what is between them lack",
+      std::max(1.0 - lines.Lightest, lines.Darkest - 0.25), 0.05);
   }
 }
 
 /// Far more texture coordinates than pixels: one line over 0 ... 1 is left, and it keeps contrast.
-void TestFarAway(Check& check)
+void TestFarAway(StabilityCatalogue& catalogue)
 {
-  check.SetContext("far away: ");
   vtkNew<vtkStreamlineTexture> texture;
   texture->SetTexelsPerLine(8);
   Quad quad(1.0, 1.0);
   quad.Actor->SetTexture(texture);
   quad.SetPixels(16.0);
   const Lines lines = FindLines(quad.Draw(), WINDOW / 2 - 8, WINDOW / 2 + 7);
-  check.That(lines.Lightest - lines.Darkest >= 0.5,
-    "contrast " + std::to_string(lines.Lightest - lines.Darkest));
+  catalogue.Measure("far-away", "256 lines over 16 pixels", "contrast that is lost",
+    1.0 - lines.Lightest + lines.Darkest, 0.5);
   // The same number of lines over each piece of a texture that repeats.
   Quad repeated(64.0, 1.0);
   repeated.Actor->SetTexture(texture);
   const Lines all = FindLines(repeated.Draw(), 0, WINDOW - 1);
-  check.That(std::abs(static_cast<double>(all.Places.size()) - 64.0) <= 1.0,
-    std::to_string(all.Places.size()) + " lines of 64");
-  check.That(all.Lightest - all.Darkest >= 0.7, "contrast of repeated lines");
+  catalogue.Measure("repeated", "texture coordinates to 64 over 512 pixels",
+    "lines more or less than 64", static_cast<double>(all.Places.size()) - 64.0, 1.0);
+  catalogue.Measure("repeated-contrast", "texture coordinates to 64 over 512 pixels",
+    "contrast that is lost", 1.0 - all.Lightest + all.Darkest, 0.3);
 }
 
 /// A grid has lines at the same distance in both directions, however different the coordinates.
@@ -383,9 +389,8 @@ public:
   std::string Message;
 };
 
-void TestSettings(Check& check)
+void TestSettings(StabilityCatalogue& catalogue)
 {
-  check.SetContext("settings: ");
   vtkNew<vtkStreamlineTexture> texture;
   vtkNew<ErrorCounter> errors;
   texture->AddObserver(vtkCommand::ErrorEvent, errors);
@@ -393,22 +398,29 @@ void TestSettings(Check& check)
   {
     errors->Message.clear();
     texture->SetNumberOfLines(wrong);
-    check.That(errors->Message.find("NumberOfLines " + std::to_string(wrong)) != std::string::npos,
-      "an error that names " + std::to_string(wrong));
-    check.Equal(texture->GetNumberOfLines(), 256, "number of lines");
+    const std::string number = std::to_string(wrong);
+    catalogue.Check("lines-" + number, number + " lines", "an error that says so, and 256 lines",
+      errors->Message,
+      errors->Message.find("NumberOfLines " + number) != std::string::npos &&
+        texture->GetNumberOfLines() == 256);
   }
   errors->Message.clear();
   texture->SetNumberOfLines(1);
   texture->SetTexelsPerLine(1);
   texture->SetLineWidth(-1.0);
   texture->SetDirection(7);
-  check.Equal(texture->GetTexelsPerLine(), 2, "texels");
-  check.That(texture->GetLineWidth() == 0.0, "width");
-  check.Equal(texture->GetDirection(), vtkStreamlineTexture::T, "direction");
+  catalogue.Check("clamped", "1 texel, a width of -1, direction 7", "2, 0 and T",
+    std::to_string(texture->GetTexelsPerLine()) + ", " + std::to_string(texture->GetLineWidth()) +
+      ", " + std::to_string(texture->GetDirection()),
+    texture->GetTexelsPerLine() == 2 && texture->GetLineWidth() == 0.0 &&
+      texture->GetDirection() == vtkStreamlineTexture::T);
   Quad quad(1.0, 1.0);
   quad.Actor->SetTexture(texture);
-  check.That(quad.Draw()[WINDOW / 2][0] > 0.99, "no line without width");
-  check.That(errors->Message.empty(), "no error");
+  catalogue.Measure("width-0", "one line of no width", "what it takes of the light",
+    errors->Message.empty() ? 1.0 - quad.Draw()[WINDOW / 2][0] : std::nan(""), 0.01);
+  texture->SetLineWidth(1.0);
+  catalogue.Measure("width-1", "one line as wide as lines are apart", "what it leaves of the light",
+    quad.Draw()[WINDOW / 2][0], 0.01);
   // More than there is room for.
   texture->SetNumberOfLines(4096);
   texture->SetTexelsPerLine(256);
@@ -416,8 +428,16 @@ void TestSettings(Check& check)
   texture->SetDirection(vtkStreamlineTexture::S);
   quad.SetPixels(1000.0);
   const Quad::Row row = quad.Draw();
-  check.That(errors->Message.find("no room for 4096 lines") != std::string::npos, "too many lines");
-  check.That(FindLines(row, 0, WINDOW - 1).Darkest < 0.1, "lines all the same");
+  catalogue.Check("no-room", "4096 lines of 256 texels", "an error that says there is no room",
+    errors->Message, errors->Message.find("no room for 4096 lines") != std::string::npos);
+  catalogue.Measure("no-room-lines", "4096 lines of 256 texels", "how light lines are",
+    FindLines(row, 0, WINDOW - 1).Darkest, 0.1);
+}
+
+void TestPrinted(Check& check)
+{
+  vtkNew<vtkStreamlineTexture> texture;
+  texture->SetTexelsPerLine(256);
   std::ostringstream printed;
   texture->Print(printed);
   check.That(printed.str().find("TexelsPerLine: 256") != std::string::npos, "printed");
@@ -425,19 +445,22 @@ void TestSettings(Check& check)
 
 }
 
-int TestStreamlineTexture(int, char*[])
+int TestStreamlineTexture(int argc, char* argv[])
 {
   Check check;
   TestLevels(check, 256, 16, 0.25, vtkStreamlineTexture::S);
   TestLevels(check, 32, 8, 0.3, vtkStreamlineTexture::T);
   TestLevels(check, 1, 2, 1.0, vtkStreamlineTexture::S);
   TestLevels(check, 2, 7, 0.1, vtkStreamlineTexture::S);
-  TestDistances(check, vtkStreamlineTexture::S);
-  TestDistances(check, vtkStreamlineTexture::T);
-  TestFarAway(check);
   TestGrid(check);
   TestColours(check);
   TestUploads(check);
-  TestSettings(check);
-  return check.Result();
+  TestPrinted(check);
+  StabilityCatalogue catalogue("TestStreamlineTexture", argc, argv);
+  catalogue.SetClass("vtkStreamlineTexture");
+  TestDistances(catalogue, vtkStreamlineTexture::S);
+  TestDistances(catalogue, vtkStreamlineTexture::T);
+  TestFarAway(catalogue);
+  TestSettings(catalogue);
+  return std::max(check.Result(), catalogue.GetExitCode());
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The nodes for two, three and n steps, what is refused, and the colours in a picture.
+#include "Pages/StabilityCase.h"
 #include "Pictures/PictureCases.h"
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Tetrahedra/MapperPicture.h"
@@ -17,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -110,38 +112,64 @@ void TestManySteps(Check& check)
   }
 }
 
-void TestErrors(Check& check)
+/// Steps as far apart as numbers are: the colours three eighths through.
+void TestScales(StabilityCatalogue& catalogue)
+{
+  for (const double step : { 1e-300, 1e-12, 1e12, 1e307 })
+  {
+    vtkNew<vtkTemporalColorTransferFunction> function;
+    const std::array<double, 3> times = { { -step, 0.0, 8.0 * step } };
+    function->SetTimes(3, times.data());
+    double rgb[3];
+    function->GetColor(6.0 * step, rgb);
+    std::ostringstream text;
+    text << step;
+    catalogue.Measure("steps-" + text.str(), "steps " + text.str() + " apart",
+      "error of the colour three quarters through",
+      std::abs(rgb[0] - 1.0) + std::abs(rgb[1] - 0.5) + std::abs(rgb[2]), 1e-12);
+  }
+}
+
+void TestErrors(StabilityCatalogue& catalogue)
 {
   vtkNew<vtkTemporalColorTransferFunction> function;
   function->SetTimes(0.0, 2.0);
   vtkNew<vtkTest::ErrorObserver> observer;
   function->AddObserver(vtkCommand::ErrorEvent, observer);
-  const auto refuse = [&](const std::vector<double>& times, const std::string& reason)
+  const auto refuse =
+    [&](const std::string& name, int number, const double* times, const std::string& reason)
   {
-    check.SetContext("times refused: " + reason);
     observer->Clear();
     const vtkMTimeType before = function->GetMTime();
-    function->SetTimes(static_cast<int>(times.size()), times.data());
-    check.That(observer->GetErrorMessage().find(reason) != std::string::npos, "an error");
-    check.That(function->GetMTime() == before, "nothing changed");
-    check.Equal(function->GetSize(), 3, "nodes");
+    function->SetTimes(number, times);
+    const std::string message = observer->GetErrorMessage();
+    catalogue.Check("times-" + name, "times " + name,
+      "an error with \"" + reason + "\", and the nodes of before", message,
+      message.find(reason) != std::string::npos && function->GetMTime() == before &&
+        function->GetSize() == 3);
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
-  refuse({}, "two times or more");
-  refuse({ 1.0 }, "two times or more");
-  refuse({ 1.0, nan }, "not finite");
-  refuse({ -infinity, 0.0, 1.0 }, "not finite");
-  refuse({ 0.0, 1.0, infinity }, "not finite");
-  refuse({ 1.0, 1.0 }, "do not increase");
-  refuse({ 0.0, 2.0, 1.0 }, "do not increase");
-  refuse({ 0.0, 1.0, 2.0, 2.0, 3.0 }, "do not increase");
-  refuse({ 1.0, std::nextafter(1.0, 2.0) }, "do not increase");
-  check.SetContext("no times");
-  observer->Clear();
-  function->SetTimes(2, nullptr);
-  check.That(!observer->GetErrorMessage().empty(), "an error");
-  check.Equal(function->GetSize(), 3, "nodes");
+  const struct
+  {
+    const char* Name;
+    std::vector<double> Times;
+    const char* Reason;
+  } cases[] = { { "none", {}, "two times or more" }, { "one", { 1.0 }, "two times or more" },
+    { "nan", { 1.0, nan }, "not finite" },
+    { "minus-infinity", { -infinity, 0.0, 1.0 }, "not finite" },
+    { "infinity", { 0.0, 1.0, infinity }, "not finite" },
+    { "equal", { 1.0, 1.0 }, "do not increase" },
+    { "falling", { 0.0, 2.0, 1.0 }, "do not increase" },
+    { "equal-within", { 0.0, 1.0, 2.0, 2.0, 3.0 }, "do not increase" },
+    { "neighbours", { 1.0, std::nextafter(1.0, 2.0) }, "do not increase" } };
+  for (const auto& one : cases)
+  {
+    refuse(one.Name, static_cast<int>(one.Times.size()), one.Times.data(), one.Reason);
+  }
+  refuse("null", 2, nullptr, "");
+  catalogue.Check("times-null-error", "times null", "an error", observer->GetErrorMessage(),
+    observer->GetError());
 }
 
 /// Time is constant along each line of sight, so that a pixel has the colour of its time.
@@ -188,12 +216,15 @@ void TestPicture(Check& check)
 
 }
 
-int TestTemporalColorTransferFunction(int, char*[])
+int TestTemporalColorTransferFunction(int argc, char* argv[])
 {
   Check check;
   TestNodes(check);
   TestManySteps(check);
-  TestErrors(check);
   TestPicture(check);
-  return check.Result();
+  StabilityCatalogue catalogue("TestTemporalColorTransferFunction", argc, argv);
+  catalogue.SetClass("vtkTemporalColorTransferFunction");
+  TestScales(catalogue);
+  TestErrors(catalogue);
+  return std::max(check.Result(), catalogue.GetExitCode());
 }

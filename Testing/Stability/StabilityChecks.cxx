@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StabilityChecks.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkExecutive.h"
+#include "vtkNew.h"
+#include "vtkTestErrorObserver.h"
+
+#include <limits>
+#include <sstream>
+
+namespace stability
+{
+
+namespace
+{
+/// A message without the place in the source that VTK puts before it, and without line ends.
+std::string InOneLine(const std::string& message)
+{
+  const std::size_t words = message.find("): ");
+  std::string line = words == std::string::npos ? message : message.substr(words + 3);
+  for (char& letter : line)
+  {
+    letter = letter == '\n' ? ' ' : letter;
+  }
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line;
+}
+}
+
+Messages UpdateFilter(vtkAlgorithm* filter)
+{
+  vtkNew<vtkTest::ErrorObserver> observer;
+  vtkObject* const objects[] = { filter, filter->GetExecutive() };
+  for (vtkObject* object : objects)
+  {
+    object->AddObserver(vtkCommand::ErrorEvent, observer);
+    object->AddObserver(vtkCommand::WarningEvent, observer);
+  }
+  filter->Update();
+  for (vtkObject* object : objects)
+  {
+    object->RemoveObserver(observer);
+  }
+  return { InOneLine(observer->GetErrorMessage()), InOneLine(observer->GetWarningMessage()) };
+}
+
+std::string ErrorsOf(vtkObject* object, const std::function<void()>& act)
+{
+  vtkNew<vtkTest::ErrorObserver> observer;
+  object->AddObserver(vtkCommand::ErrorEvent, observer);
+  act();
+  object->RemoveObserver(observer);
+  return InOneLine(observer->GetErrorMessage());
+}
+
+bool IsEmpty(vtkAlgorithm* filter)
+{
+  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+  {
+    auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(port));
+    if (!output || output->GetNumberOfPoints() > 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void ReportRefused(StabilityCatalogue& catalogue, vtkAlgorithm* filter, const std::string& name,
+  const std::string& extreme, const std::string& words, const std::function<void()>& mend)
+{
+  const std::string errors = UpdateFilter(filter).Errors;
+  const bool isRefused = errors.find(words) != std::string::npos && IsEmpty(filter);
+  mend();
+  const bool isMended = UpdateFilter(filter).Errors.empty() && !IsEmpty(filter);
+  catalogue.Check(name, extreme,
+    "an empty output and an error with \"" + words + "\"; mended, it works",
+    (errors.empty() ? "no error" : errors) + (isMended ? "" : "; mended, it does not work"),
+    isRefused && isMended);
+}
+
+void ReportEmpty(StabilityCatalogue& catalogue, vtkAlgorithm* filter, const std::string& name,
+  const std::string& extreme, const std::string& words)
+{
+  const Messages messages = UpdateFilter(filter);
+  const bool isEmpty = IsEmpty(filter);
+  catalogue.Check(name, extreme, "an empty output and a warning with \"" + words + "\"",
+    (isEmpty ? "empty, " : "not empty, ") +
+      (messages.Warnings.empty() ? "no warning" : messages.Warnings) + messages.Errors,
+    isEmpty && messages.Errors.empty() && messages.Warnings.find(words) != std::string::npos);
+}
+
+double CountOutside(vtkDataArray* array, double lower, double upper)
+{
+  if (!array || array->GetNumberOfValues() == 0)
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  vtkIdType number = 0;
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+    {
+      const double value = array->GetComponent(i, c);
+      number += value >= lower && value <= upper ? 0 : 1;
+    }
+  }
+  return static_cast<double>(number);
+}
+
+std::string Short(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef StabilityChecks_h
+#define StabilityChecks_h
+
+#include "Pages/StabilityCase.h" // for the catalogue
+
+#include <functional>
+#include <string>
+
+class vtkAlgorithm;
+class vtkDataArray;
+class vtkObject;
+
+/**
+ * What most cases of extreme input of a filter ask of it.
+ */
+namespace stability
+{
+
+/// What a filter and its executive, or another object, said.
+struct Messages
+{
+  std::string Errors;
+  std::string Warnings;
+};
+Messages UpdateFilter(vtkAlgorithm* filter);
+/// The errors that \a act makes \a object give.
+std::string ErrorsOf(vtkObject* object, const std::function<void()>& act);
+
+/// Returns whether no output has points.
+bool IsEmpty(vtkAlgorithm* filter);
+
+/// Reports that a filter says \a words in an error, has empty outputs, and works once \a mend is
+/// called.
+void ReportRefused(StabilityCatalogue& catalogue, vtkAlgorithm* filter, const std::string& name,
+  const std::string& extreme, const std::string& words, const std::function<void()>& mend);
+
+/// Reports that a filter gives no error, empty outputs, and a warning with \a words.
+void ReportEmpty(StabilityCatalogue& catalogue, vtkAlgorithm* filter, const std::string& name,
+  const std::string& extreme, const std::string& words);
+
+/// Returns the number of values of an array that are not from lower to upper, NaN among them; NaN
+/// without an array or values.
+double CountOutside(vtkDataArray* array, double lower, double upper);
+
+/// A number in few letters.
+std::string Short(double value);
+
+}
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every public class has cases in the catalogue of stability, which is that of this build; prints
+// how many. Arguments: the folder of the catalogue, and the classes.
+#include "Pages/StabilityCase.h"
+
+#include <cstdlib>
+#include <exception>
+#include <iomanip>
+#include <iostream>
+#include <set>
+#include <string>
+
+namespace
+{
+bool HaveCases(const std::vector<StabilityCount>& counts, std::set<std::string> classes)
+{
+  std::cout << std::left << std::setw(34) << "class"
+            << "cases  bounds  passed\n";
+  bool isRight = true;
+  for (const StabilityCount& count : counts)
+  {
+    std::cout << std::left << std::setw(34) << count.Class << std::right << std::setw(5)
+              << count.Cases << std::setw(8) << count.Measured << std::setw(8) << count.Passed
+              << "\n";
+    isRight = isRight && count.Passed == count.Cases;
+    if (classes.erase(count.Class) == 0)
+    {
+      std::cerr << "ERROR: cases are of " << count.Class << ", which is none of the classes\n";
+      isRight = false;
+    }
+  }
+  for (const std::string& name : classes)
+  {
+    std::cerr << "ERROR: " << name << " has no case\n";
+  }
+  return isRight && classes.empty();
+}
+}
+
+int main(int argc, char* argv[])
+{
+  if (argc < 3)
+  {
+    std::cerr << "usage: TestStabilityClasses FOLDER CLASS..." << std::endl;
+    return EXIT_FAILURE;
+  }
+  try
+  {
+    const auto counts = CountByClass(StabilityCatalogue::Gather(argv[1]));
+    return HaveCases(counts, { argv + 2, argv + argc }) ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << error.what() << std::endl;
+    return EXIT_FAILURE;
+  }
+}

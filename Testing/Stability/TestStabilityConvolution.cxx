@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Line integral convolution at extreme scales and speeds, of streamlines of a million steps, where
+// nothing moves or is finite, and outside of the field.
+#include "StabilityChecks.h"
+
+#include "Reference/Flow/ReferenceFlowGrid.h"
+
+#include "vtkDataArray.h"
+#include "vtkFlowLIC.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+
+using namespace reference;
+using namespace stability;
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+/// An image over -2 ... 2 times the size, of the field's vectors at places over the size.
+vtkSmartPointer<vtkImageData> MakeImage(
+  const VectorField& field, double size = 1.0, double speed = 1.0, int points = 17)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(points, points, points);
+  image->SetOrigin(-2.0 * size, -2.0 * size, -2.0 * size);
+  const double spacing = 4.0 * size / (points - 1);
+  image->SetSpacing(spacing, spacing, spacing);
+  AddVectors(image,
+    [&](const Vector& x)
+    {
+      const Vector v = field({ { x[0] / size, x[1] / size, x[2] / size } });
+      return Vector{ { speed * v[0], speed * v[1], speed * v[2] } };
+    });
+  return image;
+}
+
+Vector Turn(const Vector& x)
+{
+  return { { -x[1], x[0], 0.25 } };
+}
+
+vtkDataArray* GetValues(vtkFlowLIC* filter)
+{
+  return filter->GetOutput()->GetPointData()->GetArray("LIC");
+}
+
+double CompareValues(vtkFlowLIC* found, vtkFlowLIC* expected)
+{
+  if (!UpdateFilter(found).Errors.empty() || !GetValues(found))
+  {
+    return NaN;
+  }
+  double most = 0.0;
+  for (vtkIdType i = 0; i < GetValues(expected)->GetNumberOfTuples(); ++i)
+  {
+    const double difference =
+      std::abs(GetValues(found)->GetComponent(i, 0) - GetValues(expected)->GetComponent(i, 0));
+    most = difference <= most ? most : difference;
+  }
+  return most;
+}
+
+void TestScales(StabilityCatalogue& catalogue)
+{
+  // Powers of two, by which the noise's lattice is exactly the same.
+  vtkNew<vtkFlowLIC> plain;
+  plain->SetInputData(MakeImage(&Turn));
+  plain->SetNoiseScale(0.25);
+  plain->Update();
+  for (const double size : { 0x1p-300, 0x1p-40, 0x1p40, 0x1p300 })
+  {
+    for (const double speed : { 0x1p-400, 0x1p-40, 0x1p40, 0x1p400 })
+    {
+      vtkNew<vtkFlowLIC> scaled;
+      scaled->SetInputData(MakeImage(&Turn, size, speed));
+      scaled->SetNoiseScale(0.25 * size);
+      const double difference = CompareValues(scaled, plain);
+      catalogue.Measure("size-" + Short(size) + "-speed-" + Short(speed),
+        "a box of " + Short(size) + " with speeds of " + Short(speed),
+        "largest difference from the same at size 1", difference, 1e-5,
+        "Runge-Kutta 4: " + std::to_string(scaled->GetReport().Steps) + " each way");
+    }
+  }
+}
+
+/// One point of a circle.
+vtkSmartPointer<vtkPolyData> MakePoint(double x)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(x, 0.0, 0.0);
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  return data;
+}
+
+void TestLongLines(StabilityCatalogue& catalogue)
+{
+  vtkNew<vtkFlowLIC> filter;
+  filter->SetInputData(MakePoint(1.0));
+  filter->SetFieldData(MakeImage([](const Vector& x) { return Vector{ { -x[1], x[0], 0.0 } }; }));
+  filter->SetNoiseScale(0.25);
+  filter->SetStepLength(0.0078125);
+  filter->SetLength(7812.5);
+  const Messages messages = UpdateFilter(filter);
+  const vtkFlowLICReport& report = filter->GetReport();
+  catalogue.Measure("steps-1000000", "a circle that is followed for a million steps each way",
+    "lines that end before, and steps too few",
+    messages.Errors.empty() ? static_cast<double>(report.PointsWithShortLines) + 1e6 - report.Steps
+                            : NaN,
+    0.0, "Runge-Kutta 4: " + std::to_string(report.Steps) + " each way");
+  catalogue.Measure("steps-1000000-value", "a circle that is followed for a million steps each way",
+    "values not from 0 to 1", CountOutside(GetValues(filter), 0.0, 1.0), 0.0);
+  filter->SetLength(7813.0);
+  ReportRefused(catalogue, filter, "steps-more", "more than a million steps", "steps",
+    [&]() { filter->SetLength(1.0); });
+  filter->SetLength(1e-300);
+  filter->SetStepLength(0.0);
+  const std::string errors = UpdateFilter(filter).Errors;
+  catalogue.Measure("length-1e-300", "streamlines of length 1e-300", "values not from 0 to 1",
+    errors.empty() ? CountOutside(GetValues(filter), 0.0, 1.0) : NaN, 0.0);
+  filter->SetLength(0.0);
+  filter->SetContrast(0.0);
+  filter->Update();
+  catalogue.Measure("contrast-0", "no contrast", "values other than 0.5",
+    CountOutside(GetValues(filter), 0.5, 0.5), 0.0);
+}
+
+void TestStill(StabilityCatalogue& catalogue)
+{
+  vtkNew<vtkFlowLIC> noise;
+  noise->SetInputData(MakeImage([](const Vector&) { return Vector{ { 0.0, 0.0, 0.0 } }; }));
+  noise->SetNoiseScale(0.25);
+  const std::string errors = UpdateFilter(noise).Errors;
+  const auto number = static_cast<double>(noise->GetOutput()->GetNumberOfPoints());
+  catalogue.Measure("zero-field", "vectors 0 everywhere",
+    "points not at rest, and values not from 0 to 1",
+    errors.empty() ? number - static_cast<double>(noise->GetReport().PointsAtRest) +
+        CountOutside(GetValues(noise), 0.0, 1.0)
+                   : NaN,
+    0.0);
+  vtkNew<vtkFlowLIC> broken;
+  broken->SetInputData(MakeImage([](const Vector&) { return Vector{ { NaN, 0.0, 0.0 } }; }));
+  broken->SetNoiseScale(0.25);
+  catalogue.Measure("nan-field", "vectors NaN everywhere", "largest difference from vectors of 0",
+    CompareValues(broken, noise), 0.0);
+  auto image = MakeImage(&Turn);
+  for (const vtkIdType point : { 0, 2456, 4912 })
+  {
+    image->GetPointData()->GetVectors()->SetComponent(
+      point, 1, std::numeric_limits<double>::infinity());
+  }
+  vtkNew<vtkFlowLIC> some;
+  some->SetInputData(image);
+  some->SetNoiseScale(0.25);
+  const std::string words = UpdateFilter(some).Errors;
+  catalogue.Measure("infinite-points", "three vectors that are infinite", "values not from 0 to 1",
+    words.empty() ? CountOutside(GetValues(some), 0.0, 1.0) : NaN, 0.0);
+  // Those of the ten cells that have such a corner.
+  catalogue.Measure("infinite-points-rest", "three vectors that are infinite",
+    "points at rest but for the three, in 26 + 7 + 7 around them",
+    static_cast<double>(some->GetReport().PointsAtRest - 3), 40.0);
+}
+
+void TestPlaces(StabilityCatalogue& catalogue)
+{
+  vtkNew<vtkFlowLIC> filter;
+  filter->SetFieldData(MakeImage(&Turn));
+  filter->SetNoiseScale(0.25);
+  for (const double place : { 2.1, 1e300, NaN })
+  {
+    filter->SetInputData(MakePoint(place));
+    const Messages messages = UpdateFilter(filter);
+    catalogue.Measure("outside-" + Short(place), "a point outside of the field, at " + Short(place),
+      "values other than 0, with a warning",
+      messages.Errors.empty() && messages.Warnings.find("outside of the field") != std::string::npos
+        ? CountOutside(GetValues(filter), 0.0, 0.0)
+        : NaN,
+      0.0);
+  }
+  filter->SetInputData(MakePoint(0.5));
+  vtkNew<vtkImageData> bare;
+  bare->SetDimensions(3, 3, 3);
+  filter->SetFieldData(bare);
+  const auto mend = [&]() { filter->SetFieldData(MakeImage(&Turn)); };
+  ReportRefused(catalogue, filter, "no-vectors", "a field without vectors", "vectors", mend);
+  auto flat = vtkSmartPointer<vtkImageData>::New();
+  flat->SetDimensions(5, 5, 1);
+  AddVectors(flat, &Turn);
+  filter->SetFieldData(flat);
+  ReportRefused(catalogue, filter, "two-dimensions", "a field of two dimensions", "three", mend);
+}
+
+}
+
+int TestStabilityConvolution(int argc, char* argv[])
+{
+  StabilityCatalogue catalogue("TestStabilityConvolution", argc, argv);
+  catalogue.SetClass("vtkFlowLIC");
+  TestScales(catalogue);
+  TestLongLines(catalogue);
+  TestStill(catalogue);
+  TestPlaces(catalogue);
+  return catalogue.GetExitCode();
+}

@@ -1,0 +1,415 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Inflow mappings, flow volumes and parameters of stream surfaces with extreme settings, at extreme
+// scales, and where there is nothing to extract.
+#include "StabilityChecks.h"
+
+#include "Flows/ReferenceFlowAnswers.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Flow/ReferenceContourSurfaces.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkFlowStatus.h"
+#include "vtkFlowVolume.h"
+#include "vtkImageData.h"
+#include "vtkInflowMapping.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStreamSurfaceParameters.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+
+using namespace reference;
+using namespace stability;
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// Uniform flow from the plane x = 0, with (y,z) as parameters, in a cube of that size; samples
+/// that do not reach it have no answer.
+vtkSmartPointer<vtkImageData> MakeSamples(
+  int points, double size = 1.0, double speed = 0.5, bool isReached = true)
+{
+  auto image =
+    MakeFlowImage({ { points, points, points } }, { { 0.0, size, 0.0, size, 0.0, size } });
+  AddFlow(image,
+    [=](const double* x) -> FlowAnswer
+    {
+      return { isReached ? vtkFlowStatus::REACHED_SURFACE : vtkFlowStatus::OUT_OF_TIME, 0,
+        x[1] / size, x[2] / size, x[0] / size / speed };
+    },
+    { { { 0, 0, 0 } } });
+  return image;
+}
+
+vtkDataArray* GetInflow(vtkInflowMapping* mapping)
+{
+  return mapping->GetOutput()->GetPointData()->GetArray("Inflow");
+}
+
+/// Values of Inflow that are not NaN.
+double CountValues(vtkInflowMapping* mapping)
+{
+  vtkDataArray* inflow = GetInflow(mapping);
+  double number = inflow ? 0.0 : NaN;
+  for (vtkIdType i = 0; inflow && i < inflow->GetNumberOfTuples(); ++i)
+  {
+    number += std::isnan(inflow->GetComponent(i, 0)) ? 0.0 : 1.0;
+  }
+  return number;
+}
+
+void TestFormulas(StabilityCatalogue& catalogue, vtkInflowMapping* mapping)
+{
+  for (const char* formula : { "1/(u-u)", "ln(-1-u)", "1e308*10*(1+u)", "sqrt(-1-v)" })
+  {
+    mapping->SetFormula(vtkInflowMapping::ALL, formula);
+    const Messages messages = UpdateFilter(mapping);
+    catalogue.Measure(std::string("formula-") + formula, "a formula without a finite value",
+      "values that are not NaN, with a warning",
+      messages.Errors.empty() && messages.Warnings.find("no finite value") != std::string::npos
+        ? CountValues(mapping)
+        : NaN,
+      0.0);
+  }
+  const auto mend = [&]() { mapping->SetFormula(vtkInflowMapping::ALL, "u"); };
+  for (const char* formula : { "u +", "w", "u*iHat", "" })
+  {
+    mapping->SetFormula(vtkInflowMapping::ALL, formula);
+    ReportRefused(catalogue, mapping, std::string("unreadable-") + formula,
+      std::string("the formula '") + formula + "'", "formula", mend);
+  }
+  for (const double size : { 1e-300, 1e300 })
+  {
+    mapping->SetFormula(vtkInflowMapping::ALL, ("u*" + Short(size)).c_str());
+    catalogue.Measure("value-" + Short(size), "values of " + Short(size), "relative error",
+      mapping->Evaluate(0, 0.5, 0.5) / (0.5 * size) - 1.0, 1e-15);
+  }
+}
+
+void TestRings(StabilityCatalogue& catalogue, vtkInflowMapping* mapping)
+{
+  mapping->RemoveAllMappings();
+  const auto refuse = [&](double centerU, double radius, double width)
+  {
+    const std::string error = ErrorsOf(
+      mapping, [&]() { mapping->AddRing(vtkInflowMapping::ALL, centerU, 0.5, radius, width); });
+    catalogue.Check("ring-" + Short(centerU) + "-" + Short(radius) + "-" + Short(width),
+      "a ring with u, radius and width " + Short(centerU) + ", " + Short(radius) + ", " +
+        Short(width),
+      "an error, and no ring", error,
+      error.find("A ring of id") != std::string::npos &&
+        mapping->GetNumberOfRings(vtkInflowMapping::ALL) == 0);
+  };
+  refuse(0.5, 0.1, 0.0);
+  refuse(0.5, 0.1, -1.0);
+  refuse(NaN, 0.1, 0.1);
+  refuse(0.5, Infinity, 0.1);
+  mapping->AddRing(vtkInflowMapping::ALL, 0.5, 0.5, 0.0, 1e-300, 3.0);
+  catalogue.Measure("ring-narrow", "a ring of width 1e-300", "error in its middle and beside it",
+    std::abs(mapping->Evaluate(0, 0.5, 0.5) - 3.0) + std::abs(mapping->Evaluate(0, 0.6, 0.5)), 0.0);
+  mapping->RemoveAllMappings();
+  mapping->AddRing(vtkInflowMapping::ALL, 0.5, 0.5, 0.0, 1e300, -1e300);
+  catalogue.Measure("ring-wide", "a ring of width 1e300 and amplitude -1e300", "relative error",
+    mapping->Evaluate(0, 0.1, 0.9) / -1e300 - 1.0, 0.0);
+  mapping->RemoveAllMappings();
+  const std::string error = ErrorsOf(mapping, [&]() { mapping->SetFormula(-2, "u"); });
+  catalogue.Check("id--2", "a mapping of id -2", "an error that names it", error,
+    error.find("-2") != std::string::npos && mapping->GetKind(-2) == vtkInflowMapping::NONE);
+}
+
+vtkSmartPointer<vtkImageData> MakePicture(int x, int y, int z, double value)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(x, y, z);
+  image->AllocateScalars(VTK_DOUBLE, 1);
+  image->GetPointData()->GetScalars()->Fill(value);
+  return image;
+}
+
+void TestImages(StabilityCatalogue& catalogue, vtkInflowMapping* mapping)
+{
+  for (const double value : { 1e-300, 1e300 })
+  {
+    mapping->SetImage(vtkInflowMapping::ALL, MakePicture(1, 1, 1, value));
+    catalogue.Measure("image-1x1-" + Short(value), "an image of one point of " + Short(value),
+      "relative error", mapping->Evaluate(0, 0.3, 0.9) / value - 1.0, 0.0);
+    mapping->SetImage(vtkInflowMapping::ALL, MakePicture(3, 4, 1, value));
+    catalogue.Measure("image-beyond-" + Short(value), "parameters of 1e300 beside an image",
+      "relative error of the image's edge", mapping->Evaluate(0, 1e300, -1e300) / value - 1.0,
+      1e-15);
+  }
+  mapping->SetImage(vtkInflowMapping::ALL, MakePicture(3, 4, 1, NaN));
+  const Messages messages = UpdateFilter(mapping);
+  catalogue.Measure("image-nan", "an image of NaN", "values that are not NaN, with a warning",
+    messages.Warnings.find("no finite value") != std::string::npos ? CountValues(mapping) : NaN,
+    0.0);
+  const auto mend = [&]() { mapping->SetImage(vtkInflowMapping::ALL, nullptr); };
+  mapping->SetImage(vtkInflowMapping::ALL, MakePicture(3, 4, 5, 1.0));
+  ReportRefused(catalogue, mapping, "image-3d", "an image of three dimensions", "dimension",
+    [&]()
+    {
+      mend();
+      mapping->SetFormula(vtkInflowMapping::ALL, "u");
+    });
+  vtkNew<vtkImageData> nothing;
+  mapping->SetImage(vtkInflowMapping::ALL, nothing);
+  ReportRefused(catalogue, mapping, "image-empty", "an image without points", "point",
+    [&]()
+    {
+      mend();
+      mapping->SetFormula(vtkInflowMapping::ALL, "u");
+    });
+}
+
+void TestMapping(StabilityCatalogue& catalogue)
+{
+  catalogue.SetClass("vtkInflowMapping");
+  vtkNew<vtkInflowMapping> mapping;
+  mapping->SetInputData(MakeSamples(5));
+  TestFormulas(catalogue, mapping);
+  TestRings(catalogue, mapping);
+  TestImages(catalogue, mapping);
+  vtkNew<vtkImageData> bare;
+  bare->SetDimensions(3, 3, 3);
+  mapping->SetInputData(bare);
+  ReportRefused(catalogue, mapping, "no-arrays", "an image without an implicit flow field",
+    "FlowStatus", [&]() { mapping->SetInputData(MakeSamples(5)); });
+  mapping->SetInputData(MakeSamples(5, 1.0, 0.5, false));
+  const Messages messages = UpdateFilter(mapping);
+  catalogue.Measure("none-reached", "no sample that reached a surface",
+    "values that are not NaN, with a warning",
+    messages.Warnings.find("0 reached") != std::string::npos ? CountValues(mapping) : NaN, 0.0);
+}
+
+/// The cylinder of a circle of inflow.
+struct Pipeline
+{
+  vtkNew<vtkInflowMapping> Mapping;
+  vtkNew<vtkFlowVolume> Volume;
+
+  explicit Pipeline(vtkDataSet* data, const char* formula = "(u-0.5)^2+(v-0.5)^2")
+  {
+    ExpectWarnings(this->Mapping);
+    this->Mapping->SetInputData(data);
+    this->Mapping->SetFormula(vtkInflowMapping::ALL, formula);
+    this->Volume->SetInputConnection(this->Mapping->GetOutputPort());
+    this->Volume->SetInterval(0, -1.0, 0.09);
+    this->Volume->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  }
+};
+
+void TestVolumeScales(StabilityCatalogue& catalogue)
+{
+  Pipeline plain(MakeSamples(13));
+  plain.Volume->SetTimeRange(0.4, 1.5);
+  const bool isPlain = UpdateFilter(plain.Volume).Errors.empty();
+  const double expected = isPlain ? MeasureVolume(plain.Volume->GetOutput()) : NaN;
+  catalogue.Measure("cylinder", "nothing, for comparison",
+    "relative error of the volume of a cylinder", expected / (0.55 * 0.09 * vtkMath::Pi()) - 1.0,
+    0.03);
+  for (const double size : { 1e-90, 1e-6, 1e6, 1e90 })
+  {
+    for (const double speed : { 1e-200, 1e-6, 1e6, 1e200 })
+    {
+      Pipeline scaled(MakeSamples(13, size, 0.5 * speed));
+      scaled.Volume->SetTimeRange(0.4 / speed, 1.5 / speed);
+      const Messages messages = UpdateFilter(scaled.Volume);
+      catalogue.Measure("size-" + Short(size) + "-speed-" + Short(speed),
+        "a cube of " + Short(size) + ", crossed in " + Short(1.0 / speed),
+        "relative difference from the volume at size 1",
+        messages.Errors.empty() && messages.Warnings.empty()
+          ? MeasureVolume(scaled.Volume->GetOutput()) / size / size / size / expected - 1.0
+          : NaN,
+        1e-12);
+    }
+  }
+}
+
+void TestVolumeSettings(StabilityCatalogue& catalogue)
+{
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  Pipeline pipeline(MakeSamples(9));
+  const auto mend = [&]()
+  {
+    pipeline.Volume->SetNumberOfIntervals(1);
+    pipeline.Volume->SetInterval(0, -1.0, 0.09);
+    pipeline.Volume->SetTimeRange(0.0, 1.0);
+    pipeline.Volume->SetNumberOfStreamSurfaces(0);
+  };
+  const auto refuse =
+    [&](const std::string& name, const std::string& extreme, const std::string& words)
+  { ReportRefused(catalogue, pipeline.Volume, name, extreme, words, mend); };
+  pipeline.Volume->SetInterval(0, 0.3, 0.1);
+  refuse("interval-turned", "an interval from 0.3 to 0.1", "0.3");
+  pipeline.Volume->SetInterval(0, NaN, 0.1);
+  refuse("interval-nan", "an interval from NaN", "nan");
+  pipeline.Volume->SetTimeRange(1.0, 0.5);
+  refuse("times-turned", "times from 1 to 0.5", "time range");
+  pipeline.Volume->SetTimeRange(0.0, NaN);
+  refuse("times-nan", "times to NaN", "time range");
+  pipeline.Volume->SetStreamSurface(0, Infinity);
+  refuse("surface-infinite", "a stream surface at infinity", "not at a finite value");
+  pipeline.Volume->SetInterval(0, 0.05, 0.05);
+  const Messages thin = UpdateFilter(pipeline.Volume);
+  catalogue.Measure("interval-flat", "an interval from 0.05 to 0.05", "the volume",
+    thin.Errors.empty() ? MeasureVolume(pipeline.Volume->GetOutput()) : NaN, 1e-15);
+  mend();
+  pipeline.Volume->SetTimeRange(0.7, 0.7 + 1e-15);
+  const Messages moment = UpdateFilter(pipeline.Volume);
+  catalogue.Measure("times-flat", "times 1e-15 long", "the volume",
+    moment.Errors.empty() ? MeasureVolume(pipeline.Volume->GetOutput()) : NaN, 1e-14);
+  mend();
+  pipeline.Volume->SetInterval(0, 5.0, 6.0);
+  ReportEmpty(catalogue, pipeline.Volume, "interval-outside", "an interval above all of Inflow",
+    "outside of the range of Inflow");
+  mend();
+  pipeline.Volume->SetTimeRange(1e300, 2e300);
+  ReportEmpty(catalogue, pipeline.Volume, "times-late", "times from 1e300", "time range");
+  mend();
+  pipeline.Volume->SetTimeRange(-tiny, 1e308);
+  pipeline.Volume->SetInterval(0, -1e308, 1e308);
+  const Messages all = UpdateFilter(pipeline.Volume);
+  catalogue.Measure("bounds-1e308", "an interval and times to 1e308",
+    "relative error of the volume of all",
+    all.Errors.empty() ? MeasureVolume(pipeline.Volume->GetOutput()) - 1.0 : NaN, 1e-13);
+  // Many intervals side by side are the same region, each rounded for itself.
+  for (int i = 0; i < 1000; ++i)
+  {
+    pipeline.Volume->SetInterval(i, -0.1 + 0.0007 * i, -0.1 + 0.0007 * (i + 1));
+  }
+  const Messages many = UpdateFilter(pipeline.Volume);
+  catalogue.Measure("intervals-1000", "1,000 intervals side by side",
+    "relative error of the volume of all",
+    many.Errors.empty() ? MeasureVolume(pipeline.Volume->GetOutput()) - 1.0 : NaN, 1e-11);
+
+  Pipeline none(MakeSamples(5, 1.0, 0.5, false));
+  ReportEmpty(
+    catalogue, none.Volume, "none-reached", "no sample that reached a surface", "None of");
+  Pipeline wrong(MakeSamples(5), "ln(-1-u)");
+  ReportEmpty(catalogue, wrong.Volume, "inflow-nan", "Inflow that is NaN", "None of");
+  vtkNew<vtkFlowVolume> bare;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 3, 3);
+  bare->SetInputData(image);
+  ReportRefused(catalogue, bare, "no-arrays", "an image without an implicit flow field",
+    "FlowStatus", [&]() { bare->SetInputData(MakeSamples(5)); });
+}
+
+/// The length of the contour with that value; NaN where there is not one.
+double MeasureContour(double size, double value, int resolution, const char* formula,
+  std::string& words, double* mostAlong = nullptr, double scale = 1.0)
+{
+  vtkNew<Plane> plane;
+  plane->SetId(0);
+  plane->SetSize(size, size);
+  Pipeline pipeline(MakeSamples(25, size), formula);
+  pipeline.Volume->SetNumberOfIntervals(0);
+  pipeline.Volume->SetStreamSurface(0, value);
+  pipeline.Volume->GenerateStreamSurfacesOn();
+  vtkNew<vtkStreamSurfaceParameters> parameters;
+  parameters->SetInputConnection(pipeline.Volume->GetOutputPort(1));
+  parameters->SetMapping(pipeline.Mapping);
+  parameters->AddTerminationSurface(plane);
+  parameters->SetResolution(resolution);
+  parameters->SetLengthScale(scale);
+  const Messages messages = UpdateFilter(parameters);
+  words = messages.Errors + messages.Warnings;
+  vtkDataArray* lengths = parameters->GetOutput()->GetFieldData()->GetArray("ContourLength");
+  if (vtkDataArray* texture = parameters->GetOutput()->GetPointData()->GetTCoords())
+  {
+    double range[2];
+    texture->GetRange(range, 0);
+    if (mostAlong)
+    {
+      *mostAlong = range[1];
+    }
+  }
+  return words.empty() && lengths && lengths->GetNumberOfTuples() == 1 ? lengths->GetComponent(0, 0)
+                                                                       : NaN;
+}
+
+void TestParameters(StabilityCatalogue& catalogue)
+{
+  catalogue.SetClass("vtkStreamSurfaceParameters");
+  const char* const circle = "(u-0.5)^2+(v-0.5)^2";
+  std::string words;
+  for (const double size : { 1e-100, 1e-6, 1.0, 1e6, 1e100 })
+  {
+    const double length = MeasureContour(size, 0.09, 256, circle, words);
+    catalogue.Measure("circle-" + Short(size), "a circle on a plane of size " + Short(size),
+      "relative error of its length" + words, length / (0.6 * vtkMath::Pi() * size) - 1.0, 2e-5);
+  }
+  for (const int resolution : { -1, 4, 16, 64, 1024 })
+  {
+    const double squares = std::max(4, resolution);
+    const double length = MeasureContour(1.0, 0.09, resolution, circle, words);
+    catalogue.Measure("resolution-" + std::to_string(resolution),
+      "contours followed on " + Short(squares) + " squares each way",
+      "relative error of a circle's length" + words, length / (0.6 * vtkMath::Pi()) - 1.0,
+      4.0 / squares / squares);
+  }
+  // Between the nodes of the squares, so that no contour is found.
+  double along = NaN;
+  MeasureContour(1.0, 0.0036, 4, "(u-0.62)^2+(v-0.62)^2", words, &along);
+  catalogue.Measure(
+    "contour-small", "a contour smaller than a square", "the largest s", along, 0.0);
+  for (const double scale : { 0.0, 1e-300, 1e300 })
+  {
+    const double length = MeasureContour(1.0, 0.09, 64, circle, words, &along, scale);
+    catalogue.Measure("scale-" + Short(scale), "LengthScale " + Short(scale),
+      "the largest s, over the length and the scale, beyond 1.2",
+      scale == 0.0 ? along : std::max(0.0, along / length / scale - 1.2), 0.0);
+  }
+  // A thousand values at once.
+  Pipeline pipeline(MakeSamples(9), "u");
+  vtkNew<Plane> plane;
+  plane->SetId(0);
+  pipeline.Volume->SetNumberOfIntervals(0);
+  pipeline.Volume->GenerateStreamSurfacesOn();
+  for (int i = 0; i < 1000; ++i)
+  {
+    pipeline.Volume->SetStreamSurface(i, (i + 0.5) / 1000.0);
+  }
+  vtkNew<vtkStreamSurfaceParameters> parameters;
+  parameters->SetInputConnection(pipeline.Volume->GetOutputPort(1));
+  const auto mend = [&]()
+  {
+    parameters->SetMapping(pipeline.Mapping);
+    parameters->RemoveAllTerminationSurfaces();
+    parameters->AddTerminationSurface(plane);
+  };
+  ReportRefused(catalogue, parameters, "no-mapping", "no mapping", "mapping", mend);
+  parameters->RemoveAllTerminationSurfaces();
+  ReportRefused(catalogue, parameters, "no-surface", "no termination surface", "0", mend);
+  parameters->Update();
+  vtkDataArray* lengths = parameters->GetOutput()->GetFieldData()->GetArray("ContourLength");
+  catalogue.Measure("contours-1000", "1,000 straight contours of length 1",
+    "lengths not within 1e-12 of 1, and contours too few",
+    CountOutside(lengths, 1.0 - 1e-12, 1.0 + 1e-12) + 1000.0 -
+      static_cast<double>(lengths->GetNumberOfTuples()),
+    0.0);
+  vtkNew<vtkPolyData> nothing;
+  parameters->SetInputData(nothing);
+  ReportEmpty(catalogue, parameters, "empty", "an input without cells", "no triangles");
+}
+
+}
+
+int TestStabilityInflow(int argc, char* argv[])
+{
+  StabilityCatalogue catalogue("TestStabilityInflow", argc, argv);
+  TestMapping(catalogue);
+  catalogue.SetClass("vtkFlowVolume");
+  TestVolumeScales(catalogue);
+  TestVolumeSettings(catalogue);
+  TestParameters(catalogue);
+  return catalogue.GetExitCode();
+}

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Slices of 4-simplices, and interval volumes that are written slab by slab: extreme times, times
+// that are not finite, degenerate 4-simplices, and where nothing can be cut or written.
+#include "StabilityChecks.h"
+
+#include "Reference/Meshes/ReferenceVolume.h"
+#include "Reference/TimeVarying/ReferenceSimplexGrid.h"
+
+#include "vtkAnalyticFieldSource.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkSimplexTimeSlice.h"
+#include "vtkTimeSlabWriter.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkXMLUnstructuredGridReader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <string>
+
+namespace
+{
+
+using namespace reference;
+using namespace stability;
+namespace files = std::filesystem;
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// [0,1]^3 x [0,3] with times times \a step, from \a offset on.
+vtkSmartPointer<vtkUnstructuredGrid> MakeSimplices(
+  double step = 1.0, double offset = 0.0, double size = 1.0)
+{
+  KuhnOptions options;
+  options.MovedInSpace = 0.15;
+  options.MovedInTime = 0.19;
+  options.HasEqualTimes = true;
+  auto grid = MakeKuhnGrid(options);
+  auto* times = vtkDoubleArray::SafeDownCast(grid->GetPointData()->GetArray("Time"));
+  std::transform(times->Begin(), times->End(), times->Begin(),
+    [=](double time) { return step * time + offset; });
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    grid->GetPoint(i, x);
+    grid->GetPoints()->SetPoint(i, size * x[0], size * x[1], size * x[2]);
+  }
+  return grid;
+}
+
+double GetVolume(vtkSimplexTimeSlice* slice)
+{
+  const Messages messages = UpdateFilter(slice);
+  return messages.Errors.empty() ? static_cast<double>(MeasureTetrahedra(slice->GetOutput()).Sum)
+                                 : NaN;
+}
+
+void TestScales(StabilityCatalogue& catalogue)
+{
+  for (const double step : { 1e-200, 1e-9, 1.0, 1e9, 1e200 })
+  {
+    for (const double place : { 0.0, 1.0, 1.37, 3.0 })
+    {
+      vtkNew<vtkSimplexTimeSlice> slice;
+      slice->SetInputData(MakeSimplices(step));
+      slice->SetTime(place * step);
+      catalogue.Measure("steps-" + Short(step) + "-time-" + Short(place),
+        "steps " + Short(step) + " apart, at " + Short(place) + " of them",
+        "error of the volume, 1", GetVolume(slice) - 1.0, 1e-12);
+    }
+  }
+  for (const double offset : { 0x1p40, -0x1p40 })
+  {
+    vtkNew<vtkSimplexTimeSlice> slice;
+    slice->SetInputData(MakeSimplices(1.0, offset));
+    slice->SetTime(offset + 1.375);
+    catalogue.Measure("from-" + Short(offset), "times from " + Short(offset) + " on",
+      "error of the volume, 1", GetVolume(slice) - 1.0, 1e-12);
+  }
+  for (const double size : { 1e-90, 1e-9, 1e9, 1e90 })
+  {
+    vtkNew<vtkSimplexTimeSlice> slice;
+    slice->SetInputData(MakeSimplices(1.0, 0.0, size));
+    slice->SetTime(1.37);
+    catalogue.Measure("size-" + Short(size), "a cube of " + Short(size),
+      "relative error of the volume", GetVolume(slice) / size / size / size - 1.0, 1e-12);
+  }
+}
+
+void TestSimplices(StabilityCatalogue& catalogue)
+{
+  vtkNew<vtkSimplexTimeSlice> slice;
+  slice->SetInputData(MakeSimplices());
+  const auto mend = [&]() { slice->SetTime(1.37); };
+  for (const double t : { NaN, Infinity, -Infinity })
+  {
+    slice->SetTime(t);
+    ReportRefused(
+      catalogue, slice, "time-" + Short(t), "a slice at time " + Short(t), "finite", mend);
+  }
+  for (const double t : { -1e-9, 3.0 + 1e-9, 1e300 })
+  {
+    slice->SetTime(t);
+    ReportEmpty(catalogue, slice, "outside-" + Short(t), "a slice outside of all times", "time");
+  }
+  // Each inner point has 4-simplices all around; without it there is a hole.
+  auto broken = MakeSimplices();
+  auto* times = broken->GetPointData()->GetArray("Time");
+  for (vtkIdType i = 0; i < times->GetNumberOfTuples(); i += 40)
+  {
+    times->SetComponent(i, 0, i % 80 == 0 ? NaN : Infinity);
+  }
+  slice->SetInputData(broken);
+  mend();
+  const double volume = GetVolume(slice);
+  catalogue.Check("times-not-finite", "every fortieth time NaN or infinite",
+    "what is left of the volume, finite", Short(volume), volume > 0.3 && volume < 1.0);
+  times->Fill(NaN);
+  times->Modified();
+  broken->Modified();
+  ReportEmpty(catalogue, slice, "times-nan", "times that are all NaN", "");
+  // All at one time: they lie in the slice as a whole.
+  auto flat = MakeSimplices(0.0, 1.37);
+  slice->SetInputData(flat);
+  ReportEmpty(catalogue, slice, "times-equal", "4-simplices at one time, that of the slice", "");
+  // Five points of which two are one.
+  auto point = MakeSimplexGrid({ { { 0, 0, 0, 0 } }, { { 1, 0, 0, 1 } }, { { 0, 1, 0, 2 } },
+                                 { { 0, 0, 1, 3 } }, { { 0, 0, 0, 0 } } },
+    { { { 0, 1, 2, 3, 4 } } });
+  slice->SetInputData(point);
+  catalogue.Measure("two-points-one", "a 4-simplex of which two points are one", "the volume",
+    GetVolume(slice), 1e-15);
+  vtkNew<vtkUnstructuredGrid> nothing;
+  slice->SetInputData(nothing);
+  ReportEmpty(catalogue, slice, "nothing", "a grid with nothing in it", "");
+  auto wrong = MakeSimplices();
+  wrong->GetPointData()->RemoveArray("Time");
+  slice->SetInputData(wrong);
+  ReportRefused(catalogue, slice, "no-times", "4-simplices without the array Time", "Time",
+    [&]() { slice->SetInputData(MakeSimplices()); });
+}
+
+void SetInput(vtkTimeSlabWriter* writer, double first, double last, int steps)
+{
+  vtkNew<vtkAnalyticFieldSource> source;
+  source->SetFieldToLinear();
+  source->SetRate(0.0);
+  source->SetDimensions(5, 5, 5);
+  source->SetTimeRange(first, last);
+  source->SetNumberOfTimeSteps(steps);
+  writer->SetInputConnection(source->GetOutputPort());
+  writer->SetInterval(0, -0.5, 0.25);
+}
+
+/// The volume that all slabs' tetrahedra have, each corner by its extent in time; NaN where a file
+/// is missing.
+double MeasureSlabs(const files::path& folder, int slabs)
+{
+  double sum = 0.0;
+  for (int i = 0; i < slabs; ++i)
+  {
+    const files::path name = folder / "slabs" / ("slabs_" + std::to_string(i) + ".vtu");
+    if (!files::exists(name))
+    {
+      return NaN;
+    }
+    vtkNew<vtkXMLUnstructuredGridReader> reader;
+    reader->SetFileName(name.string().c_str());
+    reader->Update();
+    vtkUnstructuredGrid* grid = reader->GetOutput();
+    vtkDataArray* extents = grid->GetPointData()->GetArray("DeltaT");
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; extents && cell < grid->GetNumberOfCells(); ++cell)
+    {
+      grid->GetCellPoints(cell, ids);
+      std::array<std::array<long double, 3>, 4> corners;
+      double extent = 0.0;
+      for (int c = 0; c < 4; ++c)
+      {
+        double x[3];
+        grid->GetPoint(ids->GetId(c), x);
+        std::copy_n(x, 3, corners[c].begin());
+        extent += 0.25 * extents->GetComponent(ids->GetId(c), 0);
+      }
+      sum += extent *
+        static_cast<double>(std::abs(Determinant(corners[0], corners[1], corners[2], corners[3]))) /
+        6.0;
+    }
+  }
+  return sum;
+}
+
+void TestWriter(StabilityCatalogue& catalogue, const files::path& folder)
+{
+  catalogue.SetClass("vtkTimeSlabWriter");
+  for (const double step : { 1e-200, 1e-9, 1e9, 1e200 })
+  {
+    files::remove_all(folder);
+    files::create_directories(folder);
+    vtkNew<vtkTimeSlabWriter> writer;
+    SetInput(writer, 0.0, 3.0 * step, 4);
+    writer->SetFileName((folder / "slabs.vtm").string().c_str());
+    bool isWritten = false;
+    const std::string errors = ErrorsOf(writer, [&]() { isWritten = writer->Write(); });
+    catalogue.Measure("steps-" + Short(step), "four time steps, " + Short(step) + " apart",
+      "relative error of the volume in space and time of all slabs" + errors,
+      isWritten ? MeasureSlabs(folder, 3) / (0.75 * 4.0 * 3.0 * step) - 1.0 : NaN, 1e-6);
+  }
+  vtkNew<vtkTimeSlabWriter> writer;
+  const auto refuse =
+    [&](const std::string& name, const std::string& extreme, const std::string& words)
+  {
+    bool isWritten = true;
+    const std::string errors = ErrorsOf(writer, [&]() { isWritten = writer->Write(); });
+    catalogue.Check(name, extreme, "Write returns false, with an error with \"" + words + "\"",
+      errors, !isWritten && errors.find(words) != std::string::npos);
+  };
+  refuse("no-name", "no FileName", "FileName");
+  writer->SetFileName((folder / "slabs.vtm").string().c_str());
+  refuse("no-input", "no input", "no input");
+  SetInput(writer, 0.0, 1.0, 1);
+  refuse("one-step", "one time step only", "step");
+  SetInput(writer, 0.0, 1.0, 3);
+  files::remove_all(folder);
+  writer->SetFileName("/dev/null/slabs.vtm");
+  refuse("no-folder", "a folder that cannot be there", "/dev/null");
+}
+
+}
+
+int TestStabilitySlices(int argc, char* argv[])
+{
+  StabilityCatalogue catalogue("TestStabilitySlices", argc, argv);
+  catalogue.SetClass("vtkSimplexTimeSlice");
+  TestScales(catalogue);
+  TestSimplices(catalogue);
+  TestWriter(catalogue, files::current_path() / "StabilitySlabs");
+  return catalogue.GetExitCode();
+}

@@ -1,0 +1,447 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sources with the largest and smallest settings, far from the origin, and far in time: values
+// against formulas in long double, and what has to hold anywhere.
+#include "StabilityChecks.h"
+
+#include "vtkAnalyticFieldSource.h"
+#include "vtkAnalyticFlowSource.h"
+#include "vtkConstructiveModelSource.h"
+#include "vtkConstructiveModels.h"
+#include "vtkConstructiveVolume.h"
+#include "vtkDataArray.h"
+#include "vtkDeltaWingSource.h"
+#include "vtkGradientNoise.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkSpatialOperation.h"
+#include "vtkSpatialPrimitive.h"
+#include "vtkStructuredGrid.h"
+#include "vtkTaperedCylinderSource.h"
+#include "vtkTurbulenceSource.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace
+{
+
+using namespace stability;
+using Number = long double;
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+const Number Pi = std::acos(Number(-1));
+
+/// The largest difference of a field from a formula at time t, over the largest value.
+double ErrorOfField(
+  vtkAnalyticFieldSource* source, double t, const std::function<Number(const double* x)>& formula)
+{
+  source->SetOutputScalarType(VTK_DOUBLE);
+  source->UpdateTimeStep(t);
+  vtkImageData* image = source->GetOutput();
+  Number error = image->GetNumberOfPoints() > 0 ? 0 : NaN;
+  Number scale = 0;
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    image->GetPoint(i, x);
+    const Number expected = formula(x);
+    const Number difference =
+      std::abs(image->GetPointData()->GetScalars()->GetComponent(i, 0) - expected);
+    error = difference <= error ? error : difference;
+    scale = std::max(scale, std::abs(expected));
+  }
+  return static_cast<double>(error / scale);
+}
+
+void TestFields(StabilityCatalogue& catalogue)
+{
+  catalogue.SetClass("vtkAnalyticFieldSource");
+  vtkNew<vtkAnalyticFieldSource> source;
+  source->SetDimensions(5, 4, 3);
+  source->SetFieldToLinear();
+  source->SetConstant(1e300);
+  source->SetGradient(1e6, -1e6, NaN);
+  source->SetRate(-Infinity);
+  catalogue.Measure("coefficients-clamped", "a constant of 1e300, a rate of minus infinity",
+    "1e6 and -1e6, relative error",
+    std::abs(source->GetConstant() / 1e6 - 1.0) + std::abs(source->GetRate() / -1e6 - 1.0), 0.0);
+  source->SetGradient(1e6, -1e6, 1e-6);
+  for (const double size : { 1e-100, 1.0, 1e6 })
+  {
+    source->SetBounds(-size, 2.0 * size, -size, size, 0.0, size);
+    for (const double t : { 0.0, -1e6, 1e6 })
+    {
+      catalogue.Measure("linear-" + Short(size) + "-time-" + Short(t),
+        "coefficients of 1e6 and 1e-6 at time " + Short(t) + " in a box of " + Short(size),
+        "relative error against long double",
+        ErrorOfField(source, t,
+          [t](const double* x)
+          {
+            return Number(1e6) + Number(1e6) * x[0] - Number(1e6) * x[1] + Number(1e-6) * x[2] -
+              Number(1e6) * t;
+          }),
+        1e-14);
+    }
+  }
+  source->SetFieldToWave();
+  source->SetBounds(-2.0, 2.0, -1.0, 1.0, -1.0, 1.0);
+  for (const double t : { 1e3, 1e9 })
+  {
+    catalogue.Measure("wave-time-" + Short(t), "a wave at time " + Short(t),
+      "relative error against long double",
+      ErrorOfField(source, t,
+        [t](const double* x)
+        { return x[2] - Number(0.4) * std::cos(Pi * (x[0] + Number(x[1]) / 4 - Number(t) / 2)); }),
+      4e-16 * t);
+  }
+  source->SetFieldToBall();
+  source->SetCenter(1e6, -1e6, 1e6);
+  source->SetVelocity(0.0, 0.0, 0.0);
+  source->SetRadius(1e-6);
+  source->SetGrowth(0.0);
+  source->SetBounds(1e6 - 1.0, 1e6 + 1.0, -1e6 - 1.0, -1e6 + 1.0, 1e6 - 1.0, 1e6 + 1.0);
+  catalogue.Measure("ball-far", "a ball of radius 1e-6 at a distance of 1.7e6",
+    "relative error against long double",
+    ErrorOfField(source, 0.0,
+      [](const double* x)
+      {
+        const Number d[3] = { x[0] - Number(1e6), x[1] + Number(1e6), x[2] - Number(1e6) };
+        return std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) - Number(1e-6);
+      }),
+    1e-15);
+  source->SetFieldToVortex();
+  source->SetBounds(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0);
+  source->UpdateTimeStep(1e9);
+  catalogue.Measure("vortex-late", "vortices at time 1e9, which have left", "values not 0 to 11",
+    CountOutside(source->GetOutput()->GetPointData()->GetScalars(), 0.0, 11.0), 0.0);
+  source->SetDimensions(1, 1, 1);
+  source->UpdateTimeStep(0.0);
+  catalogue.Measure("one-point", "an image of one point", "points more or less than one",
+    static_cast<double>(source->GetOutput()->GetNumberOfPoints() - 1), 0.0);
+  const std::string bounds = ErrorsOf(source, [&]() { source->SetBounds(0, 0, 0, 1, 0, 1); });
+  catalogue.Check("bounds-flat", "bounds without length", "an error that names axis 0", bounds,
+    bounds.find("axis 0") != std::string::npos && source->GetBounds()[1] == 1.0);
+}
+
+/// The relative error of one component of the velocity at a place.
+double ErrorOfFlow(
+  vtkAnalyticFlowSource* source, const std::array<double, 3>& x, int component, double expected)
+{
+  double v[3] = { NaN, NaN, NaN };
+  source->Evaluate(x.data(), v);
+  return v[component] / expected - 1.0;
+}
+
+void TestFlows(StabilityCatalogue& catalogue)
+{
+  catalogue.SetClass("vtkAnalyticFlowSource");
+  for (const double size : { 1e-12, 1e-6, 1e6, 1e12 })
+  {
+    const std::string at = "-" + Short(size);
+    const std::string extreme = "a size of " + Short(size);
+    vtkNew<vtkAnalyticFlowSource> source;
+    source->SetAxisTilt(0.0, 0.0);
+    source->SetAxisBend(0.0, 0.0);
+    source->SetEyeRadius(size);
+    source->SetCoreRadius(size);
+    source->SetRadius(size);
+    source->SetThickness(size);
+    source->SetField(vtkAnalyticFlowSource::HURRICANE);
+    catalogue.Measure("hurricane" + at, "an eye with " + extreme,
+      "relative error of the largest swirl", ErrorOfFlow(source, { size, 0.0, -1.0 }, 1, 1.0),
+      1e-14);
+    source->SetField(vtkAnalyticFlowSource::TORNADO);
+    catalogue.Measure("tornado" + at, "a core with " + extreme, "relative error of the swirl there",
+      ErrorOfFlow(source, { size, 0.0, 0.0 }, 1,
+        static_cast<double>((1 - std::exp(Number(-1))) / (2 * Pi * size))),
+      1e-14);
+    source->SetField(vtkAnalyticFlowSource::SPHERE);
+    catalogue.Measure("sphere" + at, "a sphere with " + extreme,
+      "relative error of the speed beside it", ErrorOfFlow(source, { 0.0, size, 0.0 }, 0, 1.5),
+      1e-14);
+    source->SetField(vtkAnalyticFlowSource::CYLINDER);
+    catalogue.Measure("cylinder" + at, "a cylinder with " + extreme,
+      "relative error of the speed beside it", ErrorOfFlow(source, { 0.0, size, 0.0 }, 0, 2.0),
+      1e-14);
+    source->SetField(vtkAnalyticFlowSource::SHEAR);
+    catalogue.Measure("shear" + at, "a layer with " + extreme, "relative error of the speed in it",
+      ErrorOfFlow(source, { 0.0, 0.0, size }, 0, static_cast<double>(std::tanh(Number(1)))), 1e-14);
+    source->SetField(vtkAnalyticFlowSource::SOURCE_SINK);
+    // Settings go to 1e12.
+    const double core = size > 1.0 ? 1e-3 * size : size;
+    source->SetCoreRadius(core);
+    source->SetSeparation(1e3 * core, 0.0, 0.0);
+    double divergence[9];
+    const double place[3] = { -500.0 * core, 0.25 * core, 0.0 };
+    source->EvaluateJacobian(place, divergence);
+    catalogue.Measure("source" + at, "a source with a core of " + Short(core),
+      "relative error of the divergence in it",
+      static_cast<double>(
+        (Number(divergence[0]) + divergence[4] + divergence[8]) * 4 * Pi * core * core * core / 3 -
+        1),
+      1e-12);
+    source->SetDimensions(5, 5, 5);
+    source->SetBounds(-size, size, -size, size, -size, size);
+    double notFinite = 0.0;
+    for (int field = 0; field < vtkAnalyticFlowSource::NUMBER_OF_FIELDS; ++field)
+    {
+      source->SetField(field);
+      source->Update();
+      notFinite += CountOutside(
+        source->GetOutput()->GetPointData()->GetVectors(), -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
+    }
+    catalogue.Measure("all-fields" + at, "every field in a box with " + extreme,
+      "values that are not finite", notFinite, 0.0);
+  }
+  vtkNew<vtkAnalyticFlowSource> source;
+  source->SetField(vtkAnalyticFlowSource::ROTATION);
+  source->SetAngularVelocity(1e300);
+  catalogue.Measure("rotation-clamped", "an angular velocity of 1e300",
+    "relative error of 1e12 times the distance", ErrorOfFlow(source, { 1e-3, 0.0, 0.0 }, 1, 1e9),
+    1e-15);
+  for (const double z : { 0.0, NaN, Infinity })
+  {
+    const std::string error = ErrorsOf(source, [&]() { source->SetAxis(0.0, 0.0, z); });
+    catalogue.Check("axis-" + Short(z), "an axis of (0, 0, " + Short(z) + ")",
+      "an error, and the axis of before", error,
+      error.find("is no direction") != std::string::npos && source->GetAxis()[2] == 1.0);
+  }
+}
+
+void TestNoise(StabilityCatalogue& catalogue)
+{
+  catalogue.SetClass("vtkGradientNoise");
+  const vtkGradientNoise noise(7);
+  for (const double place : { NaN, Infinity, -Infinity })
+  {
+    const double x[3] = { 0.3, place, 0.7 };
+    catalogue.Measure("place-" + Short(place), "a place that is " + Short(place), "0",
+      noise.Sum(x, vtkGradientNoise::TURBULENCE, 16), 0.0);
+  }
+  const double near[3] = { 0.375, 17.25, 3.5 };
+  for (const double periods : { 0x1p20, 0x1p30, -0x1p40 })
+  {
+    const double far[3] = { near[0] + 256.0 * periods, near[1], near[2] - 256.0 * periods };
+    catalogue.Measure("far-" + Short(periods), Short(periods) + " periods away",
+      "the difference from the noise near the origin", noise.Evaluate(far) - noise.Evaluate(near),
+      0.0);
+  }
+  double largest = 0.0;
+  for (int i = 0; i < 200000; ++i)
+  {
+    const double x[3] = { 0.7548776662 * i, 0.5698402910 * i, 0.1234567891 * i };
+    largest = std::max(largest, std::abs(noise.Evaluate(x)));
+  }
+  catalogue.Measure(
+    "largest", "200,000 places", "the largest noise", largest, vtkGradientNoise::LargestNoise);
+
+  catalogue.SetClass("vtkTurbulenceSource");
+  vtkNew<vtkTurbulenceSource> source;
+  source->SetDimensions(9, 9, 9);
+  const auto outside = [&](double bound)
+  {
+    source->Update();
+    return CountOutside(source->GetOutput()->GetPointData()->GetScalars(), -bound, bound);
+  };
+  source->SetFrequency(0.0);
+  source->SetOffset(0.25);
+  source->Update();
+  catalogue.Measure("frequency-0", "a frequency of 0", "values other than the offset",
+    CountOutside(source->GetOutput()->GetPointData()->GetScalars(), 0.25, 0.25), 0.0);
+  source->SetOffset(0.0);
+  source->SetFrequency(1e300);
+  source->SetNumberOfOctaves(16);
+  catalogue.Measure("frequency-1e12", "16 octaves from a frequency of 1e12, the most",
+    "values beyond twice the largest noise", outside(2.0 * vtkGradientNoise::LargestNoise), 0.0);
+  source->SetFrequency(2.0);
+  const double place[3] = { 0.1, 0.2, 0.3 };
+  const double plain = source->Evaluate(place);
+  source->SetAmplitude(1e300);
+  catalogue.Measure("amplitude-1e12", "an amplitude of 1e12, the most", "relative error of a value",
+    source->Evaluate(place) / (1e12 * plain) - 1.0, 1e-15);
+  catalogue.Measure("amplitude-1e12-values", "an amplitude of 1e12, the most",
+    "values beyond twice the largest noise", outside(2e12 * vtkGradientNoise::LargestNoise), 0.0);
+  source->SetAmplitude(NaN);
+  source->SetTopFraction(0.0);
+  source->SetFalloff(vtkTurbulenceSource::EXPONENTIAL);
+  source->SetBounds(-1e-300, 1e-300, -1.0, 1.0, -1e300, 1e300);
+  catalogue.Measure("bounds", "bounds of 1e-300 and 1e300", "values that are not finite",
+    outside(VTK_FLOAT_MAX), 0.0);
+}
+
+/// The share of a ball's volume that the samples have too much.
+double ErrorOfBall(double size, int subsamples)
+{
+  vtkNew<vtkSpatialPrimitive> ball;
+  ball->SetRadius(size);
+  vtkNew<vtkConstructiveVolume> source;
+  source->SetRoot(ball);
+  source->SetDimensions(25, 25, 25);
+  source->SetBounds(-1.2 * size, 1.2 * size, -1.2 * size, 1.2 * size, -1.2 * size, 1.2 * size);
+  source->SetNumberOfSubsamples(subsamples);
+  source->Update();
+  vtkDataArray* values = source->GetOutput()->GetPointData()->GetScalars();
+  double sum = 0.0;
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    sum += values->GetComponent(i, 0);
+  }
+  return sum * 1e-3 / (4.0 / 3.0 * vtkMath::Pi()) - 1.0;
+}
+
+void TestSolids(StabilityCatalogue& catalogue)
+{
+  catalogue.SetClass("vtkConstructiveVolume");
+  for (const double size : { 1e-100, 1e-6, 1e6, 1e100 })
+  {
+    catalogue.Measure("ball-" + Short(size), "a ball of radius " + Short(size),
+      "relative error of its volume, 4^3 samples a point", ErrorOfBall(size, 4), 5e-3);
+  }
+  vtkNew<vtkSpatialPrimitive> ball;
+  vtkNew<vtkConstructiveVolume> source;
+  source->SetDimensions(8, 8, 8);
+  ReportRefused(catalogue, source, "no-root", "no root", "root", [&]() { source->SetRoot(ball); });
+  ball->SetCenter(0.013, 0.017, 0.011);
+  ball->SetRadius(1e-6);
+  source->Update();
+  catalogue.Measure("ball-between", "a ball between samples", "samples with density",
+    CountOutside(source->GetOutput()->GetPointData()->GetScalars(), 0.0, 0.0), 0.0);
+  ball->SetRadius(1e100);
+  source->Update();
+  catalogue.Measure("ball-around", "a ball around all of the image", "samples without density 1",
+    CountOutside(source->GetOutput()->GetPointData()->GetScalars(), 1.0, 1.0), 0.0);
+  // Operations within operations.
+  vtkSmartPointer<vtkSpatialObject> chain = ball.Get();
+  for (int i = 0; i < 500; ++i)
+  {
+    vtkNew<vtkSpatialOperation> operation;
+    operation->SetOperation(
+      i % 2 == 0 ? vtkSpatialOperation::UNION : vtkSpatialOperation::INTERSECTION);
+    operation->AddOperand(chain);
+    chain = operation;
+  }
+  source->SetRoot(chain);
+  source->Update();
+  catalogue.Measure("chain-500", "500 operations within each other", "samples without density 1",
+    CountOutside(source->GetOutput()->GetPointData()->GetScalars(), 1.0, 1.0), 0.0);
+  vtkNew<vtkSpatialOperation> around;
+  const std::string error = ErrorsOf(around, [&]() { around->AddOperand(around); });
+  catalogue.Check("own-operand", "an operation that is its own operand",
+    "an error, and it is not added", error, !error.empty() && around->GetNumberOfOperands() == 0);
+
+  catalogue.SetClass("vtkConstructiveModelSource");
+  vtkNew<vtkConstructiveModelSource> model;
+  for (const int resolution : { -5, 2, 33 })
+  {
+    double outside = 0.0;
+    for (int i = 0; i < vtkConstructiveModels::NUMBER_OF_MODELS; ++i)
+    {
+      model->SetModel(i);
+      model->SetResolution(resolution);
+      model->Update();
+      outside += CountOutside(model->GetOutput()->GetPointData()->GetScalars(), 0.0, 1.0);
+    }
+    catalogue.Measure("resolution-" + std::to_string(resolution),
+      "models with a resolution of " + std::to_string(resolution), "densities not from 0 to 1",
+      outside, 0.0);
+  }
+  model->SetResolution(1 << 30);
+  catalogue.Measure("resolution-most", "a resolution of 2^30", "more than 2048",
+    model->GetResolution() - 2048.0, 0.0);
+}
+
+template <typename Source>
+void ReportTimes(StabilityCatalogue& catalogue, Source* source)
+{
+  for (const double t : { NaN, Infinity })
+  {
+    const std::string error = ErrorsOf(source, [&]() { source->UpdateTimeStep(t); });
+    const bool isEmpty = source->GetOutput()->GetNumberOfPoints() == 0;
+    source->UpdateTimeStep(0.0);
+    catalogue.Check("time-" + Short(t), "a time that is " + Short(t),
+      "an error that says so, and an empty output; then it works", error,
+      error.find("not finite") != std::string::npos && isEmpty &&
+        source->GetOutput()->GetNumberOfPoints() > 0);
+  }
+}
+
+void TestGrids(StabilityCatalogue& catalogue)
+{
+  catalogue.SetClass("vtkAnalyticFieldSource");
+  vtkNew<vtkAnalyticFieldSource> field;
+  field->SetDimensions(3, 3, 3);
+  ReportTimes(catalogue, field.Get());
+
+  catalogue.SetClass("vtkDeltaWingSource");
+  vtkNew<vtkDeltaWingSource> wing;
+  wing->SetDimensions(0, -1, 1 << 30);
+  catalogue.Measure("dimensions", "0, -1 and 2^30 points", "beyond 2, 2 and 32768",
+    std::abs(wing->GetDimensions()[0] - 2.0) + std::abs(wing->GetDimensions()[1] - 2.0) +
+      std::abs(wing->GetDimensions()[2] - 32768.0),
+    0.0);
+  wing->SetDimensions(11, 12, 7);
+  ReportTimes(catalogue, wing.Get());
+  wing->SetBreakdownAmplitude(0.0);
+  for (const double angle : { -1e300, 1e300 })
+  {
+    wing->SetSweepAngle(angle);
+    for (const double t : { -1e6, 1e6 })
+    {
+      double most = 0.0;
+      for (int i = 0; i < 200; ++i)
+      {
+        const double x[3] = { 0.01 * i, 0.002 * i, 0.001 * i };
+        const double other[3] = { x[0], -x[1], x[2] };
+        const double difference = std::abs(wing->Evaluate(x, t) - wing->Evaluate(other, t));
+        most = difference <= most ? most : difference;
+      }
+      catalogue.Measure("sides-" + Short(angle) + "-time-" + Short(t),
+        "the largest and the smallest sweep, at time " + Short(t),
+        "the largest difference between both sides", most, 1e-15);
+    }
+  }
+
+  catalogue.SetClass("vtkTaperedCylinderSource");
+  vtkNew<vtkTaperedCylinderSource> cylinder;
+  cylinder->SetDimensions(9, 8, 7);
+  ReportTimes(catalogue, cylinder.Get());
+  for (const double factor : { 0.0, 1e300 })
+  {
+    cylinder->SetRadii(factor, factor);
+    cylinder->SetHeight(factor);
+    cylinder->SetOuterRadius(factor);
+    cylinder->SetSpeed(factor);
+    cylinder->SetStrouhalNumber(factor);
+    cylinder->SetOutputScalarType(VTK_DOUBLE);
+    cylinder->UpdateTimeStep(1e6);
+    const std::string name = factor > 0.0 ? "largest" : "smallest";
+    catalogue.Measure(name, "the " + name + " of every setting, at time 1e6",
+      "densities not from 0 to 1",
+      CountOutside(cylinder->GetOutput()->GetPointData()->GetScalars(), 0.0, 1.0), 0.0);
+    double x[3];
+    const int first[3] = { 0, 3, 0 };
+    cylinder->GetPosition(first, x);
+    catalogue.Measure(name + "-wall", "the " + name + " of every setting",
+      "relative error of the wall's radius", std::hypot(x[0], x[1]) / cylinder->GetRadii()[0] - 1.0,
+      1e-14);
+  }
+}
+
+}
+
+int TestStabilitySources(int argc, char* argv[])
+{
+  StabilityCatalogue catalogue("TestStabilitySources", argc, argv);
+  TestFields(catalogue);
+  TestFlows(catalogue);
+  TestNoise(catalogue);
+  TestSolids(catalogue);
+  TestGrids(catalogue);
+  return catalogue.GetExitCode();
+}

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Termination surfaces of any size, far away and seen from far away, as distances and as they are
+// drawn, and settings that no surface has.
+#include "StabilityChecks.h"
+
+#include "Flows/ReferenceFlowAnswers.h"
+#include "Reference/Flow/ReferenceTerminationMesh.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTerminationBox.h"
+#include "vtkTerminationCylinder.h"
+#include "vtkTerminationInflow.h"
+#include "vtkTerminationMesh.h"
+#include "vtkTerminationPlane.h"
+#include "vtkTerminationSphere.h"
+#include "vtkTerminationSurfaceSource.h"
+#include "vtkTerminationTube.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace
+{
+
+using namespace reference;
+using namespace stability;
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+const double Pi = vtkMath::Pi();
+
+double MeasureTriangles(vtkPolyData* data)
+{
+  double sum = data->GetNumberOfPolys() > 0 ? 0.0 : NaN;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+  {
+    data->GetCellPoints(i, ids);
+    double corners[3][3];
+    for (int c = 0; c < 3; ++c)
+    {
+      data->GetPoint(ids->GetId(c), corners[c]);
+      for (int axis = 0; axis < 3 && c > 0; ++axis)
+      {
+        corners[c][axis] -= corners[0][axis];
+      }
+    }
+    double cross[3];
+    vtkMath::Cross(corners[1], corners[2], cross);
+    sum += 0.5 * vtkMath::Norm(cross);
+  }
+  return sum;
+}
+
+/// A surface of size 1 times \a size, moved to \a middle along x, its area at size 1, and what is
+/// known of its distance: a place at size 1 and the distance there.
+struct Shape
+{
+  std::function<vtkSmartPointer<vtkTerminationSurface>(double size, double middle)> Make;
+  double Area;
+  double AreaBound;
+  std::array<double, 3> Place;
+  double Distance;
+};
+
+std::vector<Shape> MakeShapes()
+{
+  return {
+    { [](double size, double middle)
+      {
+        auto plane = vtkSmartPointer<vtkTerminationPlane>::New();
+        plane->SetOrigin(middle, 0.0, 0.0);
+        plane->SetPoint1(middle + 2.0 * size, 0.0, 0.0);
+        plane->SetPoint2(middle, 3.0 * size, 0.0);
+        return vtkSmartPointer<vtkTerminationSurface>(plane);
+      },
+      6.0, 1e-12, { { 1.0, 1.0, 0.75 } }, 0.75 },
+    { [](double size, double middle)
+      {
+        auto sphere = vtkSmartPointer<vtkTerminationSphere>::New();
+        sphere->SetCenter(middle, 0.0, 0.0);
+        sphere->SetRadius(size);
+        return vtkSmartPointer<vtkTerminationSurface>(sphere);
+      },
+      4.0 * Pi, 0.005, { { 0.0, 3.0, 4.0 } }, 4.0 },
+    { [](double size, double middle)
+      {
+        auto box = vtkSmartPointer<vtkTerminationBox>::New();
+        box->SetBounds(middle, middle + size, 0.0, 2.0 * size, 0.0, 3.0 * size);
+        return vtkSmartPointer<vtkTerminationSurface>(box);
+      },
+      22.0, 1e-12, { { 0.5, 1.0, 5.0 } }, 2.0 },
+    { [](double size, double middle)
+      {
+        auto cylinder = vtkSmartPointer<vtkTerminationCylinder>::New();
+        cylinder->SetPoint1(middle, 0.0, 0.0);
+        cylinder->SetPoint2(middle, 0.0, 2.0 * size);
+        cylinder->SetRadius(size);
+        return vtkSmartPointer<vtkTerminationSurface>(cylinder);
+      },
+      4.0 * Pi, 0.005, { { 0.0, 3.0, 1.0 } }, 2.0 },
+    { [](double size, double middle)
+      {
+        auto tube = vtkSmartPointer<vtkTerminationTube>::New();
+        tube->AddPoint(middle, 0.0, 0.0);
+        tube->AddPoint(middle, 2.0 * size, 0.0);
+        tube->SetRadius(size);
+        return vtkSmartPointer<vtkTerminationSurface>(tube);
+      },
+      4.0 * Pi, 0.005, { { 0.0, 1.0, 3.0 } }, 2.0 },
+    { [](double size, double middle)
+      {
+        TexturedMesh square;
+        square.Points = { { { middle, 0, 0 } }, { { middle + size, 0, 0 } },
+          { { middle + size, size, 0 } }, { { middle, size, 0 } } };
+        square.Texture = { { { 0.0, 0.0 } }, { { 1.0, 0.0 } }, { { 1.0, 1.0 } }, { { 0.0, 1.0 } } };
+        square.Triangles = { { { 0, 1, 2 } }, { { 0, 2, 3 } } };
+        auto mesh = vtkSmartPointer<vtkTerminationMesh>::New();
+        mesh->SetMesh(square.MakeData());
+        return vtkSmartPointer<vtkTerminationSurface>(mesh);
+      },
+      1.0, 1e-9, { { 0.25, 0.5, 2.0 } }, 2.0 },
+  };
+}
+
+void TestShapes(StabilityCatalogue& catalogue)
+{
+  for (const Shape& shape : MakeShapes())
+  {
+    for (const double size : { 1e-30, 1e-6, 1e6, 1e30 })
+    {
+      for (const double offset : { 0.0, 1e6 })
+      {
+        const auto surface = shape.Make(size, offset * size);
+        catalogue.SetClass(surface->GetClassName());
+        const std::string name = "size-" + Short(size) + (offset > 0.0 ? "-far" : "");
+        const std::string extreme = "a surface of size " + Short(size) +
+          (offset > 0.0 ? ", a million times as far away" : "");
+        const std::string wrong = surface->Update();
+        vtkNew<vtkTerminationSurfaceSource> source;
+        source->SetSurface(surface);
+        source->SetResolutionU(48);
+        source->SetResolutionV(48);
+        source->Update();
+        const double rounding = offset > 0.0 ? 1e-9 : 1e-12;
+        catalogue.Measure(name + "-area", extreme, "relative error of the area as drawn" + wrong,
+          wrong.empty() ? MeasureTriangles(source->GetOutput()) / size / size / shape.Area - 1.0
+                        : NaN,
+          std::max(shape.AreaBound, rounding));
+        const double x[3] = { (shape.Place[0] + offset) * size, shape.Place[1] * size,
+          shape.Place[2] * size };
+        catalogue.Measure(name + "-distance", extreme, "relative error of the distance of a place",
+          std::abs(surface->EvaluateDistance(x)) / size / shape.Distance - 1.0, rounding);
+      }
+    }
+  }
+}
+
+/// Update reports what is wrong, with these words.
+void ReportWrong(StabilityCatalogue& catalogue, vtkTerminationSurface* surface,
+  const std::string& name, const std::string& extreme, const std::string& words)
+{
+  catalogue.SetClass(surface->GetClassName());
+  const std::string wrong = surface->Update();
+  catalogue.Check(
+    name, extreme, "Update says \"" + words + "\"", wrong, wrong.find(words) != std::string::npos);
+}
+
+void TestSettings(StabilityCatalogue& catalogue)
+{
+  for (const double value : { 0.0, -1.0, NaN, Infinity })
+  {
+    const std::string name = "radius-" + Short(value);
+    const std::string extreme = "a radius of " + Short(value);
+    vtkNew<vtkTerminationSphere> sphere;
+    sphere->SetRadius(value);
+    ReportWrong(catalogue, sphere, name, extreme, "radius");
+    vtkNew<vtkTerminationCylinder> cylinder;
+    cylinder->SetRadius(value);
+    ReportWrong(catalogue, cylinder, name, extreme, "radius");
+    vtkNew<vtkTerminationTube> tube;
+    tube->AddPoint(0.0, 0.0, 0.0);
+    tube->AddPoint(1.0, 0.0, 0.0);
+    tube->SetRadius(value);
+    ReportWrong(catalogue, tube, name, extreme, "radius");
+  }
+  vtkNew<vtkTerminationPlane> plane;
+  plane->SetPoint1(plane->GetOrigin());
+  ReportWrong(catalogue, plane, "flat", "two points in one place", "no length");
+  plane->SetPoint1(NaN, 0.0, 0.0);
+  ReportWrong(catalogue, plane, "nan", "a point that is NaN", "finite");
+  vtkNew<vtkTerminationBox> box;
+  box->SetBounds(1.0, 0.0, 0.0, 1.0, 0.0, 1.0);
+  ReportWrong(catalogue, box, "turned", "bounds from 1 to 0", "lower bound of x");
+  box->SetBounds(0.0, Infinity, 0.0, 1.0, 0.0, 1.0);
+  ReportWrong(catalogue, box, "infinite", "bounds to infinity", "not finite");
+  vtkNew<vtkTerminationTube> tube;
+  ReportWrong(catalogue, tube, "no-line", "a tube without a line", "two");
+  tube->AddPoint(0.0, 0.0, 0.0);
+  tube->AddPoint(0.0, 0.0, 0.0);
+  ReportWrong(catalogue, tube, "one-place", "a line of two points in one place", "two");
+  vtkNew<vtkTerminationMesh> mesh;
+  ReportWrong(catalogue, mesh, "no-mesh", "no dataset", "dataset");
+  TexturedMesh flat;
+  flat.Points = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 2, 0, 0 } } };
+  flat.Texture = { { { 0.0, 0.0 } }, { { 1.0, 0.0 } }, { { 1.0, 1.0 } } };
+  flat.Triangles = { { { 0, 1, 2 } } };
+  mesh->SetMesh(flat.MakeData());
+  ReportWrong(catalogue, mesh, "flat", "one triangle without an area", "area");
+
+  catalogue.SetClass("vtkTerminationSurfaceSource");
+  vtkNew<vtkTerminationSphere> sphere;
+  vtkNew<vtkTerminationSurfaceSource> source;
+  ReportRefused(catalogue, source, "no-surface", "no surface", "SetSurface",
+    [&]() { source->SetSurface(sphere); });
+  sphere->SetRadius(NaN);
+  ReportRefused(catalogue, source, "wrong-surface", "a sphere whose radius is NaN", "radius",
+    [&]() { sphere->SetRadius(1.0); });
+  for (const int resolution : { -1, 1, 1000 })
+  {
+    source->SetResolutionU(resolution);
+    source->SetResolutionV(resolution);
+    source->Update();
+    const double n = std::max(1, resolution);
+    catalogue.Measure("resolution-" + std::to_string(resolution),
+      "a sphere on a grid of " + Short(n) + " squares each way",
+      "triangles more or less than those that have an area",
+      static_cast<double>(source->GetOutput()->GetNumberOfCells()) - 2.0 * n * (n - 1.0), 0.0);
+  }
+}
+
+/// The place along x of the rectangle that is placed in uniform flow of that size and speed.
+void TestInflow(StabilityCatalogue& catalogue)
+{
+  catalogue.SetClass("vtkTerminationInflow");
+  const auto place = [](double size, double speed, vtkTerminationInflow* surface)
+  {
+    auto image = MakeFlowImage({ { 9, 9, 9 } }, { { 0.0, size, 0.0, size, 0.0, size } });
+    vtkNew<vtkDoubleArray> vectors;
+    vectors->SetNumberOfComponents(3);
+    vectors->SetName("Velocity");
+    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+    {
+      vectors->InsertNextTuple3(speed, 0.0, 0.0);
+    }
+    image->GetPointData()->SetVectors(vectors);
+    return surface->PlaceIn(image, vectors, true);
+  };
+  for (const double size : { 1e-60, 1e-6, 1e6, 1e60 })
+  {
+    for (const double speed : { 1e-100, 1e-6, 1e6, 1e100 })
+    {
+      vtkNew<vtkTerminationInflow> surface;
+      const std::string wrong = place(size, speed, surface);
+      double bounds[6] = { NaN, NaN, NaN, NaN, NaN, NaN };
+      if (wrong.empty())
+      {
+        surface->GetBounds(bounds);
+      }
+      // Half of one of 32 slabs inside, and over all of the field across.
+      catalogue.Measure("size-" + Short(size) + "-speed-" + Short(speed),
+        "a box of " + Short(size) + " with a speed of " + Short(speed),
+        "error of the rectangle's bounds, in sizes" + wrong,
+        std::abs(bounds[0] / size - 1.0 / 64.0) + std::abs(bounds[1] / size - 1.0 / 64.0) +
+          std::abs(bounds[2] / size) + std::abs(bounds[3] / size - 1.0),
+        1e-9);
+    }
+  }
+  for (const double speed : { 0.0, NaN, Infinity })
+  {
+    vtkNew<vtkTerminationInflow> surface;
+    const std::string wrong = place(1.0, speed, surface);
+    catalogue.Check("speed-" + Short(speed), "a speed of " + Short(speed),
+      "it reports that there is no flow", wrong, wrong.find("flow") != std::string::npos);
+  }
+}
+
+}
+
+int TestStabilityTermination(int argc, char* argv[])
+{
+  StabilityCatalogue catalogue("TestStabilityTermination", argc, argv);
+  TestShapes(catalogue);
+  TestSettings(catalogue);
+  TestInflow(catalogue);
+  return catalogue.GetExitCode();
+}

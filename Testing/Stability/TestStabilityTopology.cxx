@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Critical points and the axes of vortices: lengths and speeds of any size, Jacobians that are
+// nearly singular, cells that are zero or not finite, and fields without any.
+#include "StabilityChecks.h"
+
+#include "Flows/ReferenceFlowMaps.h"
+#include "Reference/Flow/ReferenceCriticalPoints.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVortexAxis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+
+using namespace reference;
+using namespace stability;
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+vtkSmartPointer<vtkImageData> MakeCube(int cells, double size = 1.0, double middle = 0.0)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(cells + 1, cells + 1, cells + 1);
+  image->SetOrigin(middle - size, middle - size, middle - size);
+  image->SetSpacing(2.0 * size / cells, 2.0 * size / cells, 2.0 * size / cells);
+  return image;
+}
+
+/// How far the one critical point is from where it should be; NaN where there is not one.
+double ErrorOfPoint(vtkDataSet* data, const FlowMatrix& matrix, const FlowVector& center)
+{
+  SetVelocity(data, LinearField(matrix, center));
+  const CriticalPoints result(data);
+  return result.GetNumber() == 1 ? Distance(result.GetPosition(0).data(), center.data()) : NaN;
+}
+
+void TestPointScales(StabilityCatalogue& catalogue)
+{
+  for (const double length : { 1e-100, 1e-12, 1.0, 1e12, 1e100 })
+  {
+    for (const double speed : { 1e-200, 1e-12, 1e12, 1e200 })
+    {
+      FlowMatrix matrix = GenericMatrix;
+      for (double& entry : matrix)
+      {
+        entry *= speed / length;
+      }
+      const FlowVector center = { { 0.13 * length, -0.37 * length, 0.71 * length } };
+      catalogue.Measure("length-" + Short(length) + "-speed-" + Short(speed),
+        "a box of " + Short(length) + " with speeds of " + Short(speed),
+        "distance of the one critical point from the exact one, in lengths",
+        ErrorOfPoint(MakeCube(4, length), matrix, center) / length, 1e-11);
+    }
+  }
+  const FlowVector far = { { 1e6 + 0.13, 1e6 - 0.37, 1e6 + 0.71 } };
+  catalogue.Measure("far-1e+6", "a box of size 1 at a distance of 1.7e6",
+    "distance of the one critical point from the exact one",
+    ErrorOfPoint(MakeCube(4, 1.0, 1e6), GenericMatrix, far), 1e-8);
+  for (const double least : { 1e-6, 1e-8, 1e-10 })
+  {
+    FlowMatrix flat = GenericMatrix;
+    for (int j = 0; j < 3; ++j)
+    {
+      flat[6 + j] = flat[j] - 2.0 * flat[3 + j] + least * flat[6 + j];
+    }
+    double most = 0.0;
+    for (const MeshKind kind : ZeroMeshKinds)
+    {
+      for (const FlowVector& place : ZeroPlaces)
+      {
+        const double error = ErrorOfPoint(MakeMesh(kind, { 3, 4, 2 }), flat, place);
+        most = error <= most ? most : error;
+      }
+    }
+    catalogue.Measure("singular-" + Short(least),
+      "a Jacobian that is singular but for " + Short(least) + ", 14 places in 7 kinds of cells",
+      "largest distance of the one critical point from the exact one", most, 1e-14 / least);
+  }
+  catalogue.Measure("components", "components of 1e9, 1 and 1e-9",
+    "distance of the one critical point from the exact one",
+    ErrorOfPoint(MakeMesh(MeshKind::Hexahedra, { 3, 4, 2 }),
+      { { 1e9, 2e9, 3e9, -1.0, 1.0, 0.5, 2e-9, -1e-9, 1e-9 } }, ZeroPlaces[0]),
+    1e-11);
+}
+
+void TestPointCells(StabilityCatalogue& catalogue)
+{
+  vtkNew<vtkFlowCriticalPoints> filter;
+  auto still = MakeCube(4);
+  SetVelocity(still, [](const FlowVector&) { return FlowVector{ { 0.0, 0.0, 0.0 } }; });
+  filter->SetInputData(still);
+  ReportEmpty(catalogue, filter, "zero-field", "vectors 0 everywhere", "64 are 0 throughout");
+  auto turning = MakeCube(4);
+  SetVelocity(turning, [](const FlowVector& x) { return FlowVector{ { -x[1], x[0], 0.0 } }; });
+  filter->SetInputData(turning);
+  ReportEmpty(catalogue, filter, "line-of-zeros", "a rotation, 0 along its axis",
+    "lines or surfaces of zeros");
+  auto broken = MakeCube(4);
+  SetVelocity(broken, [](const FlowVector&) { return FlowVector{ { NaN, NaN, NaN } }; });
+  filter->SetInputData(broken);
+  ReportEmpty(catalogue, filter, "nan-field", "vectors NaN everywhere", "64 are not finite");
+  // One corner of eight cells.
+  auto corner = MakeCube(4);
+  SetVelocity(corner, LinearField(GenericMatrix, { { 0.6, 0.6, 0.6 } }));
+  corner->GetPointData()->GetVectors()->SetComponent(31, 1, NaN);
+  const CriticalPoints beside(corner);
+  catalogue.Measure("nan-corner", "NaN at one point of eight cells beside the critical point",
+    "critical points more or less than one, and cells not counted",
+    std::abs(beside.GetNumber() - 1.0) + std::abs(beside.Filter->GetReport().NonFiniteCells - 8.0),
+    0.0);
+  auto flat = vtkSmartPointer<vtkImageData>::New();
+  flat->SetDimensions(4, 4, 1);
+  SetVelocity(flat, LinearField(GenericMatrix, { { 1.4, 1.4, 0.0 } }));
+  filter->SetInputData(flat);
+  ReportRefused(catalogue, filter, "two-dimensions", "an image of two dimensions", "three",
+    [&]() { filter->SetInputData(corner); });
+}
+
+/// A vortex about x = y = 0.3 that turns at the speed.
+FlowFunction MakeVortex(double size, double speed)
+{
+  return [=](const FlowVector& x)
+  {
+    const double d[2] = { x[0] / size - 0.31, x[1] / size - 0.17 };
+    return FlowVector{ { -speed * d[1], speed * d[0], 0.5 * speed } };
+  };
+}
+
+/// The farthest place from the axis, in sizes; NaN where there are not as many.
+double ErrorOfAxis(vtkVortexAxis* filter, double size, vtkIdType places)
+{
+  const Messages messages = UpdateFilter(filter);
+  vtkPolyData* output = filter->GetOutput();
+  double most = output->GetNumberOfPoints() == places && messages.Errors.empty() ? 0.0 : NaN;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    output->GetPoint(i, x);
+    const double distance = std::hypot(x[0] / size - 0.31, x[1] / size - 0.17);
+    most = distance <= most ? most : distance;
+  }
+  return most;
+}
+
+void TestAxes(StabilityCatalogue& catalogue)
+{
+  catalogue.SetClass("vtkVortexAxis");
+  for (const double size : { 1e-100, 1e-12, 1.0, 1e12, 1e100 })
+  {
+    for (const double speed : { 1e-100, 1e-12, 1e12, 1e100 })
+    {
+      auto image = MakeCube(6, size);
+      SetVelocity(image, MakeVortex(size, speed));
+      vtkNew<vtkVortexAxis> filter;
+      filter->SetInputData(image);
+      const std::string name = "length-" + Short(size) + "-speed-" + Short(speed);
+      const std::string extreme = "a box of " + Short(size) + " with speeds of " + Short(speed);
+      catalogue.Measure(
+        name, extreme, "farthest of 7 places from the axis", ErrorOfAxis(filter, size, 7), 1e-12);
+      vtkDataArray* swirl = filter->GetOutput()->GetPointData()->GetArray("SwirlStrength");
+      catalogue.Measure(name + "-swirl", extreme, "relative error of the swirl",
+        swirl && swirl->GetNumberOfTuples() > 0 ? swirl->GetComponent(0, 0) / (speed / size) - 1.0
+                                                : NaN,
+        1e-12);
+    }
+  }
+  auto image = MakeCube(2);
+  SetVelocity(image, MakeVortex(1.0, 1.0));
+  vtkNew<vtkVortexAxis> filter;
+  filter->SetInputData(image);
+  filter->SetNumberOfPlanes(100000);
+  catalogue.Measure("planes-100000", "100,000 planes through eight cells",
+    "farthest of 100,000 places from the axis", ErrorOfAxis(filter, 1.0, 100000), 1e-12);
+  filter->SetNumberOfPlanes(0);
+  filter->SetAxis(0.0, 0.0, -1e-300);
+  catalogue.Measure("axis-1e-300", "an axis of length 1e-300", "farthest of 3 places from the axis",
+    ErrorOfAxis(filter, 1.0, 3), 1e-12);
+  const auto mend = [&]()
+  {
+    filter->SetAxis(0.0, 0.0, 1.0);
+    filter->SetFrameVelocity(0.0, 0.0, 0.0);
+  };
+  filter->SetAxis(0.0, 0.0, 0.0);
+  ReportRefused(catalogue, filter, "axis-0", "an axis of (0, 0, 0)", "xis", mend);
+  filter->SetAxis(0.0, NaN, 1.0);
+  ReportRefused(catalogue, filter, "axis-nan", "an axis with NaN", "finite", mend);
+  filter->SetFrameVelocity(NaN, 0.0, 0.0);
+  ReportRefused(catalogue, filter, "frame-nan", "a velocity of the frame with NaN", "finite", mend);
+  filter->SetFrameVelocity(1e300, 0.0, 0.0);
+  ReportEmpty(catalogue, filter, "frame-1e300", "a frame that moves at 1e300", "0 places");
+  mend();
+  filter->SetMinimumSwirlStrength(1e300);
+  ReportEmpty(catalogue, filter, "swirl-1e300", "a least swirl of 1e300", "places");
+  filter->SetMinimumSwirlStrength(0.0);
+  SetVelocity(image, [](const FlowVector& x) { return FlowVector{ { x[0], x[1], 1.0 } }; });
+  ReportEmpty(catalogue, filter, "no-vortex", "a field that does not turn", "places");
+}
+
+}
+
+int TestStabilityTopology(int argc, char* argv[])
+{
+  StabilityCatalogue catalogue("TestStabilityTopology", argc, argv);
+  catalogue.SetClass("vtkFlowCriticalPoints");
+  TestPointScales(catalogue);
+  TestPointCells(catalogue);
+  TestAxes(catalogue);
+  return catalogue.GetExitCode();
+}
