@@ -19,6 +19,7 @@ const std::vector<std::uint32_t>* TetrahedraOrder::Compute(
   this->Computed = false;
   if (kind == NONE)
   {
+    this->Reset();
     return nullptr;
   }
   if (kind == this->Kind && view == this->View)
@@ -30,6 +31,7 @@ const std::vector<std::uint32_t>* TetrahedraOrder::Compute(
   this->View = view;
   if (kind == CENTROID)
   {
+    this->Visibility.reset();
     this->Centroid.Compute(mesh, view.GetRays().Viewpoint, this->Order);
     return &this->Order;
   }
@@ -52,6 +54,7 @@ const std::vector<std::uint32_t>* TetrahedraOrder::ComputeLayers(
   }
   this->Computed = true;
   this->Kind = LAYERS;
+  this->Visibility.reset();
   this->Priorities = priorities;
   // The members of each layer, and then the layers from the highest priority down.
   std::map<int, std::vector<std::uint32_t>> members;

@@ -67,7 +67,7 @@ private:
   int NumberOfLayers = 0;
   std::vector<std::uint32_t> Order;
   CentroidOrder Centroid;
-  /// The order of visibility, made when it is first asked for.
+  /// The order of visibility, made when it is first asked for, kept until another order is.
   std::unique_ptr<VisibilityOrder> Visibility;
 };
 
