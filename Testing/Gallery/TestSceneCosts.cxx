@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Scenes pay for nothing that they do not use: a feature that is off has no pass, buffer, byte,
+// word of a shader or array, before it was ever on and after; and each counter can tell, since some
+// feature adds to it. Arguments: the scenes,
+// each with = and a class where features of that alone are asked for.
+#include "Gallery/Costs/SceneCosts.h"
+#include "Gallery/Picture.h"
+#include "Gallery/Scene.h"
+
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <map>
+#include <set>
+#include <string>
+
+namespace
+{
+constexpr int WIDTH = 160;
+constexpr int HEIGHT = 100;
+
+/// Classes that make arrays when they execute, so that what watches executions sees them.
+const std::set<std::string> FILTERS = { "vtkConstructiveModelSource", "vtkAnalyticFieldSource",
+  "vtkAnalyticFlowSource", "vtkFlowLIC", "vtkFlowVolume", "vtkImplicitFlowField",
+  "vtkInflowMapping", "vtkIntervalVolume", "vtkIsotableContour", "vtkSimplexTimeSlice",
+  "vtkStreamSurfaceParameters", "vtkTimeVaryingIntervalVolume", "vtkTurbulenceSource" };
+
+class Checker
+{
+public:
+  void Check(const gallery::SceneCosts& costs)
+  {
+    for (const std::string& name : FILTERS)
+    {
+      const auto found = costs.Executed.find(name);
+      this->Expect(
+        found == costs.Executed.end() || (found->second.Arrays > 0 && found->second.Bytes > 0),
+        costs.Scene + ": " + name + " makes arrays");
+    }
+    for (const gallery::FeatureCosts& feature : costs.Features)
+    {
+      this->Check(costs.Scene, feature);
+    }
+  }
+
+  void Check(const std::string& scene, const gallery::FeatureCosts& feature)
+  {
+    const std::string name = scene + ": " + feature.Class + " " + feature.Feature;
+    std::cout << name << ": own " << feature.OwnOff << ", " << feature.OwnOn << ", "
+              << feature.OwnAfter << "; adds passes " << feature.Added.Passes << ", buffers "
+              << feature.Added.Buffers << ", bytes " << feature.Added.Bytes << ", words "
+              << feature.Added.Words << ", arrays " << feature.Added.Arrays << "; leaves "
+              << feature.Left.Passes << ", " << feature.Left.Buffers << ", " << feature.Left.Bytes
+              << ", " << feature.Left.Words << ", " << feature.Left.Arrays << std::endl;
+    this->Expect(feature.OwnOff == 0.0, name + " has nothing of its own while it is off");
+    this->Expect(feature.OwnAfter == 0.0, name + " has nothing of its own when it is off again");
+    const gallery::Costs& left = feature.Left;
+    this->Expect(left.Passes == 0.0, name + " leaves no pass");
+    this->Expect(left.Buffers == 0.0, name + " leaves no buffer");
+    this->Expect(left.Bytes == 0.0, name + " leaves no byte");
+    this->Expect(left.Words == 0.0, name + " leaves no word of a shader");
+    this->Expect(left.Arrays == 0.0, name + " leaves no array");
+    const gallery::Costs& added = feature.Added;
+    this->Adds["own"] += feature.OwnOn > 0.0 ? 1 : 0;
+    this->Adds["passes"] += added.Passes > 0.0 ? 1 : 0;
+    this->Adds["buffers"] += added.Buffers > 0.0 ? 1 : 0;
+    this->Adds["bytes"] += added.Bytes > 0.0 ? 1 : 0;
+    this->Adds["words"] += added.Words > 0.0 ? 1 : 0;
+    this->Adds["arrays"] += added.Arrays > 0.0 ? 1 : 0;
+    ++this->Features;
+  }
+
+  void CheckAll()
+  {
+    for (const char* counter : { "own", "passes", "buffers", "bytes", "words", "arrays" })
+    {
+      this->Expect(this->Adds[counter] > 0, std::string("some feature adds to ") + counter);
+    }
+    this->Expect(this->Features > 10, "features are measured");
+  }
+
+  bool HasPassed() const { return this->Passed; }
+
+private:
+  void Expect(bool holds, const std::string& what)
+  {
+    if (!holds)
+    {
+      std::cerr << "expected: " << what << "\n";
+      this->Passed = false;
+    }
+  }
+
+  std::map<std::string, int> Adds;
+  int Features = 0;
+  bool Passed = true;
+};
+}
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    const gallery::DisplayHold display;
+    Checker checker;
+    for (int i = 1; i < argc; ++i)
+    {
+      const std::string argument = argv[i];
+      const std::size_t end = argument.find('=');
+      const gallery::Scene* scene = gallery::FindScene(argument.substr(0, end));
+      if (!scene)
+      {
+        std::cerr << "no scene " << argv[i] << "\n";
+        return EXIT_FAILURE;
+      }
+      checker.Check(gallery::MeasureSceneCosts(
+        *scene, WIDTH, HEIGHT, 0, end == std::string::npos ? "" : argument.substr(end + 1)));
+    }
+    checker.CheckAll();
+    return checker.HasPassed() ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << error.what() << "\n";
+    return EXIT_FAILURE;
+  }
+}
