@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsotable.h"
 
+#include "Combinatorics/MovedPieces.h"
+
 #include "vtkIsotableOrder.h"
 #include "vtkIsotablePatch.h"
+#include "vtkIsotableSymmetries.h"
 
 #include <algorithm>
 #include <cmath>
@@ -146,10 +149,37 @@ void vtkIsotable::AppendPieces(int key, Case& made) const
   made.Slots.erase(std::unique(made.Slots.begin(), made.Slots.end()), made.Slots.end());
 }
 
+void vtkIsotable::MakePieces(int key, Case& made) const
+{
+  if (this->Kind == CONTOUR)
+  {
+    this->AppendPieces(key, made);
+    return;
+  }
+  std::call_once(
+    this->HasSymmetries, [this] { this->Symmetries.reset(new vtkIsotableSymmetries(this->Cell)); });
+  const auto origin = this->Symmetries->FindOrigin(static_cast<std::uint32_t>(key));
+  const int first = static_cast<int>(origin.Key);
+  if (first == key)
+  {
+    this->AppendPieces(key, made);
+    return;
+  }
+  const Case& from = this->GetCase(first);
+  const auto& symmetry = this->Symmetries->Get()[origin.Symmetry];
+  made.Pieces = interlume::MovedPieces::Move(
+    from.Pieces, symmetry, this->NumberOfVertices, this->NumberOfEdges);
+  for (const Slot slot : from.Slots)
+  {
+    made.Slots.push_back(symmetry.Slots[slot]);
+  }
+  std::sort(made.Slots.begin(), made.Slots.end());
+}
+
 const vtkIsotable::Case& vtkIsotable::MakeCase(int key) const
 {
   std::unique_ptr<Case> made(new Case);
-  this->AppendPieces(key, *made);
+  this->MakePieces(key, *made);
   Slot ascending[MaximumNumberOfVertices];
   for (int i = 0; i < MaximumNumberOfVertices; ++i)
   {

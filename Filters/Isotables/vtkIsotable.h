@@ -8,8 +8,11 @@
 #include <array>   // for the simplices
 #include <atomic>  // for the cases
 #include <cstdint> // for the slots
-#include <memory>  // for the cases
+#include <memory>  // for the symmetries
+#include <mutex>   // for making them once
 #include <vector>  // for the lists
+
+class vtkIsotableSymmetries;
 
 /**
  * @class   vtkIsotable
@@ -17,7 +20,8 @@
  *
  * A case is keyed by one digit for each vertex, vertex 0 the least: in base 2 for a contour
  * (0: f < v, 1: f >= v), in base 3 for an interval (0: below, 1: inside, 2: above). Cases are made
- * at their first use, once, whichever thread asks first.
+ * at their first use, once, whichever thread asks first; in an interval's table, one of those that
+ * symmetries of the cell take into each other from its hull, the others by moving that one.
  *
  * A point of a case is a slot: with n vertices and m edges, slot i < n is vertex i of the cell;
  * slot n + e is the isovalue (the lower one of an interval) on edge e; slot n + m + e is the upper
@@ -246,6 +250,7 @@ private:
   }
 
   const Case& MakeCase(int key) const;
+  void MakePieces(int key, Case& made) const;
   void AppendPieces(int key, Case& made) const;
 
   Kinds Kind;
@@ -255,6 +260,10 @@ private:
   int NumberOfEdges;
   std::vector<std::array<Slot, 2>> Edges;
   std::vector<int> PointRanks;
+  // The symmetries of the cell of an interval's table: one case of a kind is made from its hull,
+  // the others from that case.
+  mutable std::once_flag HasSymmetries;
+  mutable std::unique_ptr<const vtkIsotableSymmetries> Symmetries;
   mutable std::vector<std::atomic<const Case*>> Cases;
 };
 

@@ -9,6 +9,7 @@
 #include "vtkIsotableTriangulation.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <iostream>
 #include <numeric>
@@ -111,6 +112,56 @@ void TestShipped()
   }
 }
 
+// A digest of all that the cases of a table hold, in their order.
+std::uint64_t Digest(const vtkIsotable& table)
+{
+  std::uint64_t digest = 1469598103934665603u;
+  const auto add = [&digest](int number)
+  { digest = (digest ^ static_cast<std::uint64_t>(number)) * 1099511628211u; };
+  const auto addAll = [&add](const auto& list)
+  {
+    add(static_cast<int>(list.size()));
+    for (const auto& number : list)
+    {
+      add(number);
+    }
+  };
+  for (int key = 0; key < table.GetNumberOfCases(); ++key)
+  {
+    const vtkIsotable::Case& found = table.GetCase(key);
+    for (const auto& simplex : found.Simplices)
+    {
+      addAll(simplex);
+    }
+    for (const auto& triangle : found.Boundary)
+    {
+      addAll(triangle);
+    }
+    addAll(found.Slots);
+    addAll(found.Pieces);
+  }
+  return digest;
+}
+
+// The tables are those that the hull of every single case gives: outputs go by their order.
+void TestDigests()
+{
+  const struct
+  {
+    vtkIsotable::Shapes Shape;
+    std::uint64_t Digest;
+  } rows[] = { { vtkIsotable::TETRAHEDRON, 3372890980895510939u },
+    { vtkIsotable::PYRAMID, 13253621040149989064u }, { vtkIsotable::WEDGE, 10730056720040087469u },
+    { vtkIsotable::HEXAHEDRON, 11355392010007118911u } };
+  for (const auto& row : rows)
+  {
+    const std::uint64_t digest = Digest(vtkIsotable::Get(vtkIsotable::INTERVAL, row.Shape));
+    Expect(digest == row.Digest,
+      "the interval table of shape " + std::to_string(row.Shape) +
+        " is the one made of hulls alone: " + std::to_string(digest));
+  }
+}
+
 void TestHulls()
 {
   // The 24 cell has 24 octahedra; its prism 24 prisms and two ends.
@@ -152,6 +203,7 @@ int TestIsotableTables(int, char*[])
 {
   TestSourceOrder();
   TestShipped();
+  TestDigests();
   TestHulls();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

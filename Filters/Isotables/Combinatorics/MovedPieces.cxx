@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Combinatorics/MovedPieces.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace interlume
+{
+
+namespace
+{
+using Slot = MovedPieces::Slot;
+// A bit for each edge of the lifted cell: the lower ones, the upper ones, then the vertical ones,
+// that is, the vertices.
+using EdgeSet = std::uint64_t;
+
+struct Polygon
+{
+  Slot Side;
+  std::vector<Slot> Points;
+  EdgeSet Edges;
+};
+
+struct Piece
+{
+  std::vector<Slot> Points;
+  std::vector<Polygon> Faces;
+  EdgeSet Edges;
+};
+
+class Mover
+{
+public:
+  Mover(const vtkIsotableSymmetries::Symmetry& symmetry, int vertices, int edges)
+    : Symmetry(symmetry)
+    , Vertices(vertices)
+    , Edges(edges)
+  {
+  }
+
+  std::vector<Slot> Move(const std::vector<Slot>& pieces) const
+  {
+    std::vector<Piece> moved;
+    for (const Slot* at = pieces.data(); at != pieces.data() + pieces.size();)
+    {
+      moved.push_back(this->MovePiece(at));
+    }
+    Sort(moved);
+    std::vector<Slot> result;
+    result.reserve(pieces.size());
+    for (const Piece& piece : moved)
+    {
+      Append(piece.Points, result);
+      result.push_back(static_cast<Slot>(piece.Faces.size()));
+      for (const Polygon& face : piece.Faces)
+      {
+        result.push_back(face.Side);
+        Append(face.Points, result);
+      }
+    }
+    return result;
+  }
+
+private:
+  // Returns the edge of the lifted cell that a slot is on.
+  int GetEdge(Slot slot) const
+  {
+    return slot < this->Vertices ? 2 * this->Edges + slot : slot - this->Vertices;
+  }
+
+  template <typename Faces>
+  static void Sort(Faces& faces)
+  {
+    std::sort(
+      faces.begin(), faces.end(), [](const auto& a, const auto& b) { return a.Edges < b.Edges; });
+  }
+
+  static void Append(const std::vector<Slot>& points, std::vector<Slot>& result)
+  {
+    result.push_back(static_cast<Slot>(points.size()));
+    result.insert(result.end(), points.begin(), points.end());
+  }
+
+  // Reads a list of points and its length, and moves them.
+  std::vector<Slot> MovePoints(const Slot*& at, EdgeSet& edges) const
+  {
+    const int number = *at++;
+    std::vector<Slot> points(number);
+    edges = 0;
+    for (Slot& point : points)
+    {
+      point = this->Symmetry.Slots[*at++];
+      edges |= EdgeSet(1) << this->GetEdge(point);
+    }
+    return points;
+  }
+
+  Piece MovePiece(const Slot*& at) const
+  {
+    Piece piece;
+    piece.Points = this->MovePoints(at, piece.Edges);
+    std::sort(piece.Points.begin(), piece.Points.end(),
+      [this](Slot a, Slot b) { return this->GetEdge(a) < this->GetEdge(b); });
+    piece.Faces.resize(*at++);
+    for (Polygon& face : piece.Faces)
+    {
+      face.Side = *at++;
+      face.Points = this->MovePoints(at, face.Edges);
+      if (this->Symmetry.Reverses)
+      {
+        std::reverse(face.Points.begin(), face.Points.end());
+      }
+      this->Rotate(face.Points);
+    }
+    Sort(piece.Faces);
+    return piece;
+  }
+
+  // Has a polygon begin where vtkIsotablePatch begins it: with the side whose greater edge is the
+  // greatest, and then the lesser one; or end there, where the side is passed the other way.
+  void Rotate(std::vector<Slot>& points) const
+  {
+    const int number = static_cast<int>(points.size());
+    int best = 0;
+    EdgeSet greatest = 0;
+    for (int i = 0; i < number; ++i)
+    {
+      const EdgeSet side = (EdgeSet(1) << this->GetEdge(points[i])) |
+        (EdgeSet(1) << this->GetEdge(points[(i + 1) % number]));
+      if (side > greatest)
+      {
+        greatest = side;
+        best = i;
+      }
+    }
+    const bool isForward = this->GetEdge(points[best]) < this->GetEdge(points[(best + 1) % number]);
+    const int first = isForward ? best : (best + 2) % number;
+    std::rotate(points.begin(), points.begin() + first, points.end());
+  }
+
+  const vtkIsotableSymmetries::Symmetry& Symmetry;
+  int Vertices;
+  int Edges;
+};
+}
+
+std::vector<MovedPieces::Slot> MovedPieces::Move(const std::vector<Slot>& pieces,
+  const vtkIsotableSymmetries::Symmetry& symmetry, int vertices, int edges)
+{
+  return Mover(symmetry, vertices, edges).Move(pieces);
+}
+
+}
