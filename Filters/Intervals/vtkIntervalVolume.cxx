@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIntervalVolume.h"
 
+#include "Arrays/ExtractionArrays.h"
 #include "Common/IntervalCheck.h"
 #include "Grid/WholeCells.h"
 #include "Output/ProcessBalance.h"
 #include "Static/EmptyResult.h"
 #include "Static/Extraction.h"
-#include "Static/ExtractionArrays.h"
 #include "Static/ExtractionIndex.h"
 #include "Static/ExtractionInput.h"
 #include "Static/GhostCells.h"

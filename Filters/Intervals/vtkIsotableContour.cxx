@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsotableContour.h"
 
+#include "Arrays/ExtractionArrays.h"
 #include "Common/IntervalCheck.h"
 #include "Output/ProcessBalance.h"
 #include "Static/EmptyResult.h"
 #include "Static/Extraction.h"
-#include "Static/ExtractionArrays.h"
 #include "Static/ExtractionIndex.h"
 #include "Static/ExtractionInput.h"
 #include "Static/GhostCells.h"
@@ -132,6 +132,7 @@ int vtkIsotableContour::RequestData(
   extraction.Index = this->UseValueIndex ? this->Index.GetPointer() : nullptr;
   extraction.IdName = "ContourId";
   extraction.OutputPointsPrecision = this->OutputPointsPrecision;
+  extraction.SharePoints = this->MergePoints;
   vtkDataArray* scalars = vtkDataArray::SafeDownCast(array);
   this->SetProgressText("Extracting the isosurfaces");
   if (!extraction.Execute(input, scalars, output, nullptr, report))
@@ -188,6 +189,7 @@ void vtkIsotableContour::PrintSelf(ostream& os, vtkIndent indent)
     os << indent.GetNextIndent() << value << "\n";
   }
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  os << indent << "MergePoints: " << this->MergePoints << "\n";
   os << indent << "UseValueIndex: " << this->UseValueIndex << "\n";
   os << indent << "WarnOnEmptyOutput: " << this->WarnOnEmptyOutput << "\n";
   os << indent << "ReportBalance: " << this->ReportBalance << "\n";

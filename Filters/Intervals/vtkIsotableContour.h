@@ -48,9 +48,9 @@ class ExtractionIndex;
  * The cells' ids are stored in 32 bits where they fit (vtkCellArray::IsStorage64Bit tells).
  *
  * When to use which: vtkFlyingEdges3D is the faster one on image data when only the surface is
- * wanted. On linear cells vtkContour3DLinearGrid is the faster one as long as triangles need not
- * share points (its MergePoints off), the slower one when they do. This filter gives the surfaces
- * that bound the intervals of vtkIntervalVolume, carries all arrays, and takes every grid.
+ * wanted. On linear cells vtkContour3DLinearGrid is the slower one when triangles share points;
+ * where they need not, MergePoints off is the way here too. This filter gives the surfaces that
+ * bound the intervals of vtkIntervalVolume, carries all arrays, and takes every grid.
  *
  * @sa vtkIntervalVolume vtkIsotable
  */
@@ -79,6 +79,18 @@ public:
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether triangles share points. Where it is off, each has three points of its own, 3 t to
+   * 3 t + 2 those of triangle t: the same triangles in the same order, with three to six times the
+   * points. That is the faster way on unstructured grids, for pictures or for what takes triangles
+   * one by one; elsewhere it takes more time than sharing. Default on.
+   */
+  vtkSetMacro(MergePoints, bool);
+  vtkGetMacro(MergePoints, bool);
+  vtkBooleanMacro(MergePoints, bool);
   ///@}
 
   ///@{
@@ -140,6 +152,7 @@ private:
 
   std::vector<double> Values;
   int OutputPointsPrecision = DEFAULT_PRECISION;
+  bool MergePoints = true;
   bool UseValueIndex = true;
   bool WarnOnEmptyOutput = true;
   bool ReportBalance = false;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSimplexTimeSlice.h"
 
+#include "Arrays/ExtractionArrays.h"
+#include "Scalars/ExtractionDispatch.h"
+#include "Scalars/ExtractionScalars.h"
 #include "Static/EmptyResult.h"
-#include "Static/ExtractionArrays.h"
-#include "Static/ExtractionDispatch.h"
 #include "Static/ExtractionInput.h"
-#include "Static/ExtractionScalars.h"
 #include "TimeVarying/SimplexSlicer.h"
 
 #include "vtkCellData.h"
@@ -13,6 +13,7 @@
 #include "vtkCommand.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleKey.h"
@@ -21,6 +22,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"

@@ -11,6 +11,7 @@
 #include "vtkRectilinearGrid.h"
 
 #include <array>
+#include <cmath>
 
 namespace interlume
 {
@@ -18,9 +19,9 @@ namespace interlume
 namespace
 {
 // Computes the columns of the Jacobian at the middle of a cell, times a positive number, for one
-// coordinate x(vertex).
-template <typename Coordinate>
-void FillColumns(vtkIsotable::Shapes shape, Coordinate&& x, double* columns)
+// coordinate x(vertex) or for all.
+template <typename Coordinate, typename Number>
+void FillColumns(vtkIsotable::Shapes shape, Coordinate&& x, Number* columns)
 {
   switch (shape)
   {
@@ -58,6 +59,71 @@ int GetDeterminantSign(vtkIsotable::Shapes shape, GetPoint&& getPoint)
   }
   const double determinant = vtkMath::Determinant3x3(columns);
   return determinant < 0.0 ? -1 : determinant > 0.0 ? 1 : 0;
+}
+
+// The three coordinates of a vector in single precision, and the sizes of the differences that it
+// is a sum of. The fourth entries are there for the sake of vector instructions.
+struct RoughVector
+{
+  float Values[4];
+  float Sizes[4];
+
+  float GetSize() const { return this->Sizes[0] + this->Sizes[1] + this->Sizes[2]; }
+
+  friend RoughVector operator-(const RoughVector& a, const RoughVector& b)
+  {
+    RoughVector c;
+    for (int axis = 0; axis < 4; ++axis)
+    {
+      c.Values[axis] = a.Values[axis] - b.Values[axis];
+      c.Sizes[axis] = std::abs(c.Values[axis]);
+    }
+    return c;
+  }
+
+  friend RoughVector operator+(const RoughVector& a, const RoughVector& b)
+  {
+    RoughVector c;
+    for (int axis = 0; axis < 4; ++axis)
+    {
+      c.Values[axis] = a.Values[axis] + b.Values[axis];
+      c.Sizes[axis] = a.Sizes[axis] + b.Sizes[axis];
+    }
+    return c;
+  }
+};
+
+// Returns the sign of the determinant where single precision is enough to tell, else 0. A column is
+// rounded by less than 5 units of its size, each of the six products by less than 20, so that 64
+// are a safe bound; the sizes are such that nothing underflows or overflows.
+int GetRoughSign(vtkIsotable::Shapes shape, const float* coordinates, const vtkIdType* points)
+{
+  constexpr int vertices[vtkIsotable::NUMBER_OF_SHAPES] = { 4, 5, 6, 8 };
+  constexpr float bound = 64.0f / (1 << 24);
+  constexpr float least = 1e-9f;
+  constexpr float most = 1e9f;
+  RoughVector x[8];
+  for (int v = 0; v < vertices[shape]; ++v)
+  {
+    const float* from = coordinates + 3 * points[v];
+    x[v] = { { from[0], from[1], from[2], 0.0f }, {} };
+  }
+  RoughVector columns[3];
+  FillColumns(
+    shape, [&x](int v) -> const RoughVector& { return x[v]; }, columns);
+  const float* a = columns[0].Values;
+  const float* b = columns[1].Values;
+  const float* c = columns[2].Values;
+  const float determinant = a[0] * (b[1] * c[2] - b[2] * c[1]) +
+    a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  float size = 1.0f;
+  bool isSafe = true;
+  for (const RoughVector& column : columns)
+  {
+    isSafe &= column.GetSize() > least && column.GetSize() < most;
+    size *= column.GetSize();
+  }
+  return !isSafe || !(std::abs(determinant) > bound * size) ? 0 : determinant < 0.0f ? -1 : 1;
 }
 
 bool Decreases(vtkDataArray* coordinates)
@@ -98,6 +164,11 @@ int CellOrientation::GetCellSign(vtkIsotable::Shapes shape, const vtkIdType* poi
 {
   if (this->Floats)
   {
+    const int rough = GetRoughSign(shape, this->Floats, points);
+    if (rough != 0)
+    {
+      return rough;
+    }
     return GetDeterminantSign(shape, [&](int v) { return this->Floats + 3 * points[v]; });
   }
   if (this->Doubles)

@@ -2,6 +2,8 @@
 #ifndef interlume_CellOrientation_h
 #define interlume_CellOrientation_h
 
+#include "Common/Prefetch.h"
+
 #include "vtkDataSet.h"
 #include "vtkIsotable.h"
 
@@ -27,6 +29,19 @@ public:
 
   /// Returns the one answer for all cells where they do not differ.
   bool AreAllInverted() const { return this->AllInverted; }
+
+  /// Prefetches the coordinates of a point that will be asked for soon.
+  void Prefetch(vtkIdType point) const
+  {
+    if (this->Floats)
+    {
+      interlume::Prefetch::Read(this->Floats + 3 * point);
+    }
+    else if (this->Doubles)
+    {
+      interlume::Prefetch::Read(this->Doubles + 3 * point);
+    }
+  }
 
   /// Returns whether a cell is left-handed; \a points are in the vertex order of vtkIsotable.
   bool IsInverted(vtkIsotable::Shapes shape, const vtkIdType* points) const

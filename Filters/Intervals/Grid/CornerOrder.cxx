@@ -81,7 +81,16 @@ void CornerOrder::TurnHexahedron(vtkIdType* ids) const
   const auto before = [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); };
   const int corner = static_cast<int>(std::min_element(ids, ids + 8, before) - ids);
   int axes[3] = { 1, 2, 4 };
-  std::sort(axes, axes + 3, [&](int a, int b) { return before(ids[corner ^ a], ids[corner ^ b]); });
+  const auto order = [&](int& a, int& b)
+  {
+    if (before(ids[corner ^ b], ids[corner ^ a]))
+    {
+      std::swap(a, b);
+    }
+  };
+  order(axes[0], axes[1]);
+  order(axes[1], axes[2]);
+  order(axes[0], axes[1]);
   vtkIdType turned[8];
   for (int v = 0; v < 8; ++v)
   {

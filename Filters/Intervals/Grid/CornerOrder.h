@@ -75,6 +75,15 @@ public:
   template <typename Point>
   void SortHalfway(Point* points, std::size_t number, vtkIdType split = VTK_ID_MAX) const
   {
+    vtkSMPTools::For(0, this->GlobalIds ? static_cast<vtkIdType>(number) : 0,
+      [&](vtkIdType first, vtkIdType last)
+      { this->SortHalfwayInThread(points + first, points + last, split); });
+  }
+
+  /// Does the same by the calling thread alone.
+  template <typename Point>
+  void SortHalfwayInThread(Point* first, Point* last, vtkIdType split = VTK_ID_MAX) const
+  {
     const auto isBefore = [this, split](vtkIdType a, vtkIdType b)
     {
       const bool isSecond = a >= split;
@@ -82,17 +91,13 @@ public:
         ? this->IsBefore(isSecond ? a - split : a, isSecond ? b - split : b)
         : !isSecond;
     };
-    vtkSMPTools::For(0, this->GlobalIds ? static_cast<vtkIdType>(number) : 0,
-      [&](vtkIdType first, vtkIdType last)
+    for (Point* point = first; this->GlobalIds && point != last; ++point)
+    {
+      if (point->Weight == 0.5 && isBefore(point->Far, point->Near))
       {
-        for (Point* point = points + first; point != points + last; ++point)
-        {
-          if (point->Weight == 0.5 && isBefore(point->Far, point->Near))
-          {
-            std::swap(point->Near, point->Far);
-          }
-        }
-      });
+        std::swap(point->Near, point->Far);
+      }
+    }
   }
 
 private:

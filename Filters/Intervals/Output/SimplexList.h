@@ -3,6 +3,7 @@
 #define interlume_SimplexList_h
 
 #include "Output/ExtractionBuffer.h"
+#include "Output/ThreadGrain.h"
 
 #include "vtkCellArray.h"
 #include "vtkIsotable.h"
@@ -149,6 +150,23 @@ public:
       });
   }
 
+  /// Writes all simplices: each has points of its own, in the order of their ids.
+  void NumberConsecutively()
+  {
+    this->Visit(
+      [this](auto* values)
+      {
+        vtkSMPTools::For(0, this->Number * this->Size, ThreadGrain,
+          [values](vtkIdType first, vtkIdType last)
+          {
+            for (vtkIdType at = first; at < last; ++at)
+            {
+              Set(values[at], at);
+            }
+          });
+      });
+  }
+
   /// Puts a simplex in the place of another.
   void Move(vtkIdType from, vtkIdType to)
   {
@@ -221,7 +239,7 @@ public:
           visit(p, kept);
           kept += marks[p] != 0;
         }
-        vtkSMPTools::For(0, this->GetNumberOfIds(),
+        vtkSMPTools::For(0, this->GetNumberOfIds(), ThreadGrain,
           [values, &newIds](vtkIdType first, vtkIdType last)
           {
             for (vtkIdType i = first; i < last; ++i)
@@ -346,7 +364,7 @@ private:
     const vtkSmartPointer<Array> offsets = ofWhole ? ofWhole : this->NewOffsets<Array>();
     Id* values = offsets->GetPointer(0);
     const Id size = this->Size;
-    vtkSMPTools::For(0, this->Number + (ofWhole ? 0 : 1),
+    vtkSMPTools::For(0, this->Number + (ofWhole ? 0 : 1), ThreadGrain,
       [values, size](vtkIdType first, vtkIdType last)
       {
         for (vtkIdType i = first; i < last; ++i)

@@ -2,7 +2,7 @@
 #include "Static/CrossingLists.h"
 
 #include "Common/Prefetch.h"
-#include "Static/ExtractionScalars.h"
+#include "Scalars/ExtractionScalars.h"
 
 #include "vtkSMPTools.h"
 

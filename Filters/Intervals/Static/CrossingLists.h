@@ -3,8 +3,8 @@
 #define interlume_CrossingLists_h
 
 #include "Common/Prefetch.h"
+#include "Output/CrossingKey.h"
 #include "Output/ExtractionBuffer.h"
-#include "Static/CrossingKey.h"
 #include "Static/ExtractionContext.h"
 
 #include "vtkSMPThreadLocal.h"

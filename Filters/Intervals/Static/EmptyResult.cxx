@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Static/EmptyResult.h"
 
-#include "Static/ExtractionArrays.h"
+#include "Arrays/ExtractionArrays.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCell.h"

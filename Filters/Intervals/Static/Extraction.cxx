@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Static/Extraction.h"
 
+#include "Arrays/ExtractionArrays.h"
 #include "Grid/WholeCells.h"
-#include "Static/ExtractionArrays.h"
+#include "Scalars/ExtractionDispatch.h"
+#include "Soup/SoupArrays.h"
 #include "Static/ExtractionCleanup.h"
-#include "Static/ExtractionDispatch.h"
 #include "Static/ExtractionIndex.h"
 #include "Static/ExtractionLinearizer.h"
 #include "Static/GhostCells.h"
@@ -149,6 +150,13 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
     context.KeepCellIds |= whole->HasParts();
   }
 
+  std::optional<SoupArrays> soup;
+  if (!this->SharePoints && vtkUnstructuredGrid::SafeDownCast(context.Input))
+  {
+    soup.emplace(context.Input, this->OutputPointsPrecision);
+    context.Soup = &*soup;
+  }
+
   ExtractionMesh mesh;
   mesh.HasSeveralItems = this->Values->GetItems().size() > 1;
   if (!this->ExtractMesh(context, mesh))
@@ -176,8 +184,14 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   {
     ExtractionCleanup::CutBoundary(context.Input, this->InputBoundary, this->Whole, mesh);
   }
-  const vtkSmartPointer<vtkPoints> points =
-    ExtractionArrays::MakePoints(context.Input, mesh.Points, this->OutputPointsPrecision);
+  const bool isSoup = soup && soup->IsAllocated();
+  if (!this->SharePoints && !isSoup)
+  {
+    ExtractionCleanup::SplitPoints(mesh);
+  }
+  const vtkSmartPointer<vtkPoints> points = isSoup
+    ? soup->GetPoints()
+    : ExtractionArrays::MakePoints(context.Input, mesh.Points, this->OutputPointsPrecision);
   if (this->Whole)
   {
     report.WholeCells = mesh.Simplices.GetNumberOfWhole();
@@ -217,8 +231,15 @@ void Extraction::FillOutput(const ExtractionContext& context, ExtractionMesh& me
     output->SetCells(
       context.GetSimplexSize() == 4 ? VTK_TETRA : VTK_TRIANGLE, mesh.Simplices.MakeCells());
   }
-  ExtractionArrays::InterpolatePointData(
-    context.Input->GetPointData(), mesh.Points, output->GetPointData());
+  if (context.Soup && context.Soup->IsAllocated())
+  {
+    context.Soup->AddTo(output->GetPointData());
+  }
+  else
+  {
+    ExtractionArrays::InterpolatePointData(
+      context.Input->GetPointData(), mesh.Points, output->GetPointData());
+  }
   this->Owner->UpdateProgress(0.95);
   ExtractionArrays::CopyCellData(original->GetCellData(), mesh.CellIds.GetData(),
     static_cast<vtkIdType>(mesh.CellIds.GetSize()), output->GetCellData());

@@ -28,6 +28,8 @@ public:
   const char* IdName = nullptr;
   int OutputPointsPrecision = vtkAlgorithm::DEFAULT_PRECISION;
   bool GenerateBoundaries = false;
+  /// Whether triangles of contours have the points that they share but once.
+  bool SharePoints = true;
   /// Whether the outputs tell what each of their points and cells was made of.
   bool KeepOrigins = false;
   /// Whether the input's tetrahedra are oriented as they are stored, for a further criterion.

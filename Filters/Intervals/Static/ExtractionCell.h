@@ -2,7 +2,7 @@
 #ifndef interlume_ExtractionCell_h
 #define interlume_ExtractionCell_h
 
-#include "Static/ExtractionValues.h"
+#include "Scalars/ExtractionValues.h"
 
 #include "vtkIsotable.h"
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <atomic>
 #include <map>
+#include <utility>
 
 namespace interlume
 {
@@ -132,6 +133,24 @@ void AddTriangle(ExtractionMesh& mesh, const Triple& points, int item, int side)
   mesh.TriangleItemIds->InsertNextValue(item);
   mesh.TriangleSides->InsertNextValue(side);
 }
+}
+
+void ExtractionCleanup::SplitPoints(ExtractionMesh& mesh)
+{
+  const vtkIdType triangles = mesh.Simplices.GetNumber();
+  ExtractionBuffer<ExtractionPoint> corners;
+  corners.Allocate(3 * triangles);
+  vtkSMPTools::For(0, 3 * triangles,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType corner = first; corner < last; ++corner)
+      {
+        corners[corner] = mesh.Points[mesh.Simplices.GetIdAt(corner)];
+      }
+    });
+  mesh.Points = std::move(corners);
+  mesh.Simplices.Allocate(triangles, 3, 3 * triangles);
+  mesh.Simplices.NumberConsecutively();
 }
 
 void ExtractionCleanup::RemoveUnusedPoints(ExtractionMesh& mesh)

@@ -27,6 +27,9 @@ public:
   static void RemoveMarked(
     ExtractionMesh& mesh, const std::vector<bool>& cells, const std::vector<bool>& triangles);
 
+  /// Gives each triangle of a contour points of its own; the triangles keep their order.
+  static void SplitPoints(ExtractionMesh& mesh);
+
   /// Removes points that nothing uses; the others keep their order.
   static void RemoveUnusedPoints(ExtractionMesh& mesh);
 

@@ -5,8 +5,10 @@
 #include "Common/Batches.h"
 #include "Common/Blanking.h"
 #include "Output/ExtractionBuffer.h"
+#include "Output/ExtractionPoint.h"
 #include "Output/SimplexList.h"
-#include "Static/ExtractionValues.h"
+#include "Output/ThreadGrain.h"
+#include "Scalars/ExtractionValues.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
@@ -25,18 +27,8 @@ namespace interlume
 {
 
 class ExtractionIndex;
+class SoupArrays;
 class WholeCells;
-
-/**
- * The origin of an output point: a grid point when Near equals Far, else the point at Weight of the
- * way from Near to Far, Weight <= 1/2 since Near is the end nearer the isovalue.
- */
-struct ExtractionPoint
-{
-  vtkIdType Near;
-  vtkIdType Far;
-  double Weight;
-};
 
 /**
  * The result of an extraction before arrays are interpolated.
@@ -82,7 +74,9 @@ struct ExtractionMesh
     ExtractionMemory::PreferLargePages(this->ItemIds);
     if (!this->HasSeveralItems)
     {
-      vtkSMPTools::Fill(this->ItemIds->GetPointer(0), this->ItemIds->GetPointer(0) + cells, 0);
+      int* const items = this->ItemIds->GetPointer(0);
+      vtkSMPTools::For(0, cells, ThreadGrain,
+        [items](vtkIdType first, vtkIdType last) { std::fill(items + first, items + last, 0); });
     }
     if (wholeCells > 0)
     {
@@ -167,6 +161,9 @@ struct ExtractionContext : Blanking
   ExtractionIndex* Index = nullptr;
   /// Which cells are passed on whole; null where none are.
   const WholeCells* Whole = nullptr;
+  /// Takes the points of triangles that share none, in place of the mesh; null where they are
+  /// shared.
+  SoupArrays* Soup = nullptr;
   bool GenerateBoundaries = false;
   bool KeepCellIds = false;
   /// Whether tetrahedra are oriented as their corners are stored, not by their coordinates: those
@@ -191,9 +188,13 @@ struct ExtractionContext : Blanking
   template <typename Work>
   bool Run(vtkIdType number, double from, double to, Work&& work) const
   {
-    // An extraction has many short passes over few rows.
-    constexpr vtkIdType batches = 8;
-    return Batches::Run(number, this->Owner, from, to, work, batches);
+    // An extraction has many short passes over few rows. Each batch starts the threads anew: few
+    // cells are done in less time than that takes.
+    constexpr vtkIdType mostBatches = 8;
+    constexpr vtkIdType cellsInBatch = 16384;
+    const vtkIdType batches =
+      this->Input ? this->Input->GetNumberOfCells() / cellsInBatch + 1 : mostBatches;
+    return Batches::Run(number, this->Owner, from, to, work, std::min(batches, mostBatches));
   }
 
   /// Notes that \a bytes of working memory are held at this moment.

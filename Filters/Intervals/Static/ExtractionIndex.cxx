@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Static/ExtractionIndex.h"
 
-#include "Static/ExtractionDispatch.h"
-#include "Static/ExtractionValues.h"
+#include "Scalars/ExtractionDispatch.h"
+#include "Scalars/ExtractionValues.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"

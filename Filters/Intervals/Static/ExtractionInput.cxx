@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Static/ExtractionInput.h"
 
+#include "Arrays/ExtractionArrays.h"
 #include "Common/ArrayCheck.h"
 #include "Common/GridCheck.h"
 #include "Common/IntervalCheck.h"
-#include "Static/ExtractionArrays.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Static/ExtractionLinearizer.h"
 
+#include "Arrays/ExtractionArrays.h"
 #include "Common/GridCells.h"
 #include "Common/Vectors.h"
 #include "Grid/CellCorners.h"
-#include "Static/ExtractionArrays.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"

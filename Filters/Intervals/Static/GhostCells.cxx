@@ -2,9 +2,9 @@
 #include "Static/GhostCells.h"
 
 #include "Grid/GridWindow.h"
+#include "Scalars/ExtractionScalars.h"
 #include "Static/ExtractionCleanup.h"
 #include "Static/ExtractionContext.h"
-#include "Static/ExtractionScalars.h"
 
 #include "vtkIdList.h"
 #include "vtkInformation.h"

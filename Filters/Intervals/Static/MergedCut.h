@@ -2,7 +2,7 @@
 #ifndef interlume_MergedCut_h
 #define interlume_MergedCut_h
 
-#include "Static/ExtractionValues.h"
+#include "Scalars/ExtractionValues.h"
 
 #include "vtkIsotable.h"
 #include "vtkType.h"

@@ -3,7 +3,7 @@
 #define interlume_PointMarks_h
 
 #include "Output/ExtractionBuffer.h"
-#include "Static/ExtractionValues.h"
+#include "Scalars/ExtractionValues.h"
 
 #include <algorithm>
 #include <array>

@@ -4,10 +4,12 @@
 #include "Grid/CellOrientation.h"
 #include "Grid/RowIndex.h"
 #include "Grid/WholeCells.h"
+#include "Scalars/CodeRow.h"
+#include "Scalars/ExtractionKernels.h"
+#include "Scalars/ExtractionScalars.h"
+#include "Scalars/RowKernels.h"
 #include "Static/ExtractionCell.h"
 #include "Static/ExtractionIndex.h"
-#include "Static/ExtractionKernels.h"
-#include "Static/ExtractionScalars.h"
 #include "Static/GhostCells.h"
 #include "Static/MergedCut.h"
 
@@ -71,19 +73,14 @@ vtkIsotable::RankArray FindRanks(const vtkIsotable& table)
   return table.GetSlotRanks(ascending);
 }
 
-// The codes of one row of grid points.
-struct CodeRow
+// The codes of all rows are kept where they take no more bytes than this; elsewhere a thread makes
+// those that it needs, each several times.
+constexpr std::size_t MostBytesOfCodes = std::size_t(1) << 26;
+
+// A row of codes and the memory for them.
+struct OwnCodeRow : CodeRow
 {
-  vtkIdType Row = -1;
-  Code Minimum = 0;
-  Code Maximum = 0;
-  bool HasTies = false;
-  bool IsFinite = true;
-  // The range of codes: those before First are equal to the code of the first point, those after
-  // Last to that of the last point.
-  std::int64_t First = 0;
-  std::int64_t Last = 0;
-  std::vector<Code> Codes;
+  std::vector<Code> Memory;
 };
 
 // The columns [First, Last) of a row.
@@ -161,7 +158,7 @@ public:
   bool Execute()
   {
     const vtkIdType rows = this->Rows.GetNumberOfRows();
-    if (!this->Count(rows))
+    if (!this->MakeCodes(rows) || !this->Count(rows))
     {
       return false;
     }
@@ -188,12 +185,34 @@ public:
   }
 
 private:
+  // Makes the codes of all rows, where they are kept. Returns false when the user aborted.
+  bool MakeCodes(vtkIdType rows)
+  {
+    const std::size_t points = static_cast<std::size_t>(rows * this->Nx);
+    // With an index few rows are looked at.
+    if (this->Context.Index || points * sizeof(Code) > MostBytesOfCodes)
+    {
+      return true;
+    }
+    this->AllCodes.Allocate(points);
+    this->CodeRows.resize(rows);
+    return this->Context.Run(rows, 0.0, 0.05,
+      [this](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType row = first; row < last; ++row)
+        {
+          this->CodeRows[row].Fill(*this->Scalars, row, this->Rows.GetFirstPoint(row), this->Nx,
+            this->AllCodes.GetData() + row * this->Nx);
+        }
+      });
+  }
+
   // Counts what each row gives. Returns false when the user aborted.
   bool Count(vtkIdType rows)
   {
     this->Offsets.assign(rows + 1, RowCount());
     this->Columns.assign(rows, { 0, 0 });
-    return this->Context.Run(rows, 0.0, 0.4,
+    return this->Context.Run(rows, 0.05, 0.4,
       [this](vtkIdType first, vtkIdType last) { this->ProcessRows<false>(first, last); });
   }
 
@@ -209,11 +228,13 @@ private:
   // The buffers and counts of a thread.
   struct Local
   {
-    std::array<std::array<CodeRow, 3>, 3> Codes;
+    std::array<std::array<OwnCodeRow, 3>, 3> Codes;
     std::array<std::array<OwnerRow, 2>, 2> Owners;
     std::vector<Code> Columns;
     std::vector<Code> Keys;
     std::vector<std::uint8_t> Gave;
+    // The columns [first, last) of the row of cells that give output.
+    std::array<vtkIdType, 2> Given{ { 0, 0 } };
     std::vector<ExtractionIndex::Span> Spans;
     std::vector<ExtractionIndex::Span> Counted;
     std::vector<TiedCase> TiedCases;
@@ -226,22 +247,17 @@ private:
   // Returns the codes of a row; a row of cells goes by the number of its first row of grid points.
   const CodeRow& GetCodes(Local& local, vtkIdType j, vtkIdType k) const
   {
-    CodeRow& row = local.Codes[k % 3][j % 3];
     const vtkIdType number = this->Rows.GetRow(j, k);
+    if (!this->CodeRows.empty())
+    {
+      return this->CodeRows[number];
+    }
+    OwnCodeRow& row = local.Codes[k % 3][j % 3];
     if (row.Row != number)
     {
-      row.Row = number;
-      row.Codes.resize(this->Nx);
-      row.IsFinite =
-        this->Scalars->Classify(this->Rows.GetFirstPoint(number), this->Nx, row.Codes.data());
-      ExtractionKernels::FindEnds(row.Codes.data(), this->Nx, row.First, row.Last);
-      // The codes in between, and one of the equal codes at either end.
-      const vtkIdType begin = row.First - 1;
-      const vtkIdType end = std::max(std::min<vtkIdType>(row.Last + 2, this->Nx), begin + 1);
-      Code ties;
-      ExtractionKernels::Summarize(
-        row.Codes.data() + begin, end - begin, row.Minimum, row.Maximum, ties);
-      row.HasTies = ExtractionValues::IsTie(ties);
+      row.Memory.resize(this->Nx);
+      row.Fill(
+        *this->Scalars, number, this->Rows.GetFirstPoint(number), this->Nx, row.Memory.data());
     }
     return row;
   }
@@ -251,15 +267,15 @@ private:
   template <std::size_t Number>
   ColumnRange GetRange(const std::array<const CodeRow*, Number>& rows) const
   {
-    const Code front = rows[0]->Codes.front();
-    const Code back = rows[0]->Codes.back();
+    const Code front = rows[0]->Codes[0];
+    const Code back = rows[0]->Codes[this->Nx - 1];
     bool isFrontEmpty = !this->Values.IsPoint(front);
     bool isBackEmpty = !this->Values.IsPoint(back);
     ColumnRange range{ this->Nx, -1 };
     for (const CodeRow* row : rows)
     {
-      isFrontEmpty &= row->Codes.front() == front;
-      isBackEmpty &= row->Codes.back() == back;
+      isFrontEmpty &= row->Codes[0] == front;
+      isBackEmpty &= row->Codes[this->Nx - 1] == back;
       range.First = std::min(range.First, row->First);
       range.Last = std::max(range.Last, row->Last);
     }
@@ -293,10 +309,19 @@ private:
     }
     this->CountOwned(here, along, above, owners);
     std::uint32_t total = 0;
-    for (vtkIdType i = owners.Range.First; i < owners.Range.Last; ++i)
+    for (vtkIdType i = owners.Range.First; i < owners.Range.Last;)
     {
+      // Most points own nothing.
+      if (owners.Counts[i] == 0)
+      {
+        const vtkIdType end =
+          ExtractionKernels::FindChange(owners.Counts.data(), i, owners.Range.Last);
+        std::fill(owners.Starts.begin() + i, owners.Starts.begin() + end, total);
+        i = end;
+        continue;
+      }
       owners.Starts[i] = total;
-      total += owners.Counts[i];
+      total += owners.Counts[i++];
     }
     owners.Total = total;
     return owners;
@@ -307,9 +332,9 @@ private:
   {
     const vtkIdType begin = owners.Range.First;
     const vtkIdType number = owners.Range.Last - begin;
-    const Code* c = here.Codes.data() + begin;
-    const Code* alongJ = along.Codes.data() + begin;
-    const Code* alongK = above.Codes.data() + begin;
+    const Code* c = here.Codes + begin;
+    const Code* alongJ = along.Codes + begin;
+    const Code* alongK = above.Codes + begin;
     Code* first = owners.Offsets[0].data() + begin;
     Code* second = owners.Offsets[1].data() + begin;
     Code* third = owners.Offsets[2].data() + begin;
@@ -320,7 +345,7 @@ private:
     }
     if (here.IsFinite && along.IsFinite && above.IsFinite)
     {
-      ExtractionKernels::CountOwned(c, alongJ, alongK, number, first, second, third, all);
+      RowKernels::CountOwned(c, alongJ, alongK, number, first, second, third, all);
       return;
     }
     for (vtkIdType i = 0; i < number; ++i)
@@ -425,6 +450,7 @@ private:
   {
     std::size_t bytes = this->Offsets.capacity() * sizeof(RowCount) +
       this->Columns.capacity() * sizeof(this->Columns[0]) + this->Mesh.Points.GetBytes() +
+      this->AllCodes.GetBytes() + this->CodeRows.capacity() * sizeof(CodeRow) +
       this->Mesh.Used.GetBytes();
     // The bytes of nine rows of codes; of four rows of starts, three offsets and counts; of
     // columns, keys and marks.
@@ -469,13 +495,14 @@ private:
     const OwnerRow& owners = this->GetOwners(local, j, k);
     ExtractionPoint* const begin = this->Mesh.Points.GetData() + this->Offsets[row].Points;
     ExtractionPoint* out = begin;
-    const Code* here = this->GetCodes(local, j, k).Codes.data();
-    const Code* along = j + 1 < this->Ny ? this->GetCodes(local, j + 1, k).Codes.data() : here;
-    const Code* above = k + 1 < this->Nz ? this->GetCodes(local, j, k + 1).Codes.data() : here;
+    const Code* here = this->GetCodes(local, j, k).Codes;
+    const Code* along = j + 1 < this->Ny ? this->GetCodes(local, j + 1, k).Codes : here;
+    const Code* above = k + 1 < this->Nz ? this->GetCodes(local, j, k + 1).Codes : here;
     for (vtkIdType i = owners.Range.First; i < owners.Range.Last; ++i)
     {
       if (owners.Counts[i] == 0)
       {
+        i = ExtractionKernels::FindChange(owners.Counts.data(), i, owners.Range.Last) - 1;
         continue;
       }
       const vtkIdType id = this->Rows.GetFirstPoint(row) + i;
@@ -541,11 +568,7 @@ private:
     this->ProcessRow<Write>(local, row, place);
     if (!Write)
     {
-      const auto gives = [](std::uint8_t mark) { return mark != 0; };
-      const auto first = std::find_if(local.Gave.begin(), local.Gave.end(), gives);
-      const auto last = std::find_if(local.Gave.rbegin(), local.Gave.rend(), gives);
-      this->Columns[row] = { first - local.Gave.begin(),
-        std::max<vtkIdType>(first - local.Gave.begin(), local.Gave.rend() - last) };
+      this->Columns[row] = local.Given;
     }
   }
 
@@ -578,7 +601,7 @@ private:
       const vtkIdType j = around.J + (r & 1);
       const vtkIdType k = around.K + (r >> 1);
       const CodeRow& codes = this->GetCodes(local, j, k);
-      around.Codes[r] = codes.Codes.data();
+      around.Codes[r] = codes.Codes;
       around.HasTies |= codes.HasTies;
       around.IsFinite &= codes.IsFinite;
       minimum = std::min(minimum, codes.Minimum);
@@ -595,7 +618,7 @@ private:
         this->CutBlanked(local, around);
       }
     }
-    local.Gave.clear();
+    local.Given = { 0, 0 };
     if (!Write)
     {
       this->CountInput(local, around);
@@ -745,7 +768,6 @@ private:
     }
   }
 
-  template <int Base>
   void FillKeys(Local& local, const Around& around, const ExtractionValues::Item& item) const
   {
     local.Columns.resize(this->Nx);
@@ -753,12 +775,10 @@ private:
     for (const auto& span : local.Spans)
     {
       const vtkIdType first = span[0];
-      const vtkIdType number = span[1] - first;
-      Code* columns = local.Columns.data() + first;
-      ExtractionKernels::FillColumns<Base>(around.Codes[0] + first, around.Codes[1] + first,
-        around.Codes[2] + first, around.Codes[3] + first, item.First, item.Second, number + 1,
-        columns);
-      ExtractionKernels::FillKeys<Base>(columns, number, local.Keys.data() + first);
+      const Code* const rows[4] = { around.Codes[0] + first, around.Codes[1] + first,
+        around.Codes[2] + first, around.Codes[3] + first };
+      RowKernels::FillKeys(this->Values.GetBase(), rows, item.First, item.Second, span[1] - first,
+        local.Columns.data() + first, local.Keys.data() + first);
     }
   }
 
@@ -766,8 +786,7 @@ private:
   void ProcessItem(Local& local, const Around& around, int item, RowCount& place)
   {
     const auto& what = this->Values.GetItems()[item];
-    this->Values.GetBase() == 3 ? this->FillKeys<3>(local, around, what)
-                                : this->FillKeys<2>(local, around, what);
+    this->FillKeys(local, around, what);
     const Code last = static_cast<Code>(this->Table.GetNumberOfCases() - 1);
     const bool hasTies = around.HasTies || what.IsFlat;
     for (const auto& span : local.Spans)
@@ -775,7 +794,12 @@ private:
       for (vtkIdType i = span[0]; i < span[1]; ++i)
       {
         const Code key = local.Keys[i];
-        if (key == 0 || key == last || (!around.IsFinite && !this->IsFinite(around, i)))
+        if (key == 0 || key == last)
+        {
+          i = ExtractionKernels::FindChange(local.Keys.data(), i, span[1]) - 1;
+          continue;
+        }
+        if (!around.IsFinite && !this->IsFinite(around, i))
         {
           continue;
         }
@@ -802,14 +826,23 @@ private:
         }
         if (!Write && place.Simplices != before.Simplices)
         {
-          local.Gave[i] = 1;
+          this->NoteGiven(local, i, 1);
         }
         else if (!Write && place.Triangles != before.Triangles)
         {
-          local.Gave[i] = std::max<std::uint8_t>(local.Gave[i], 2);
+          this->NoteGiven(local, i, std::max<std::uint8_t>(local.Gave[i], 2));
         }
       }
     }
+  }
+
+  // Notes that a cell gives output.
+  static void NoteGiven(Local& local, vtkIdType i, std::uint8_t mark)
+  {
+    local.Gave[i] = mark;
+    const bool isFirst = local.Given[0] == local.Given[1];
+    local.Given = { isFirst ? i : std::min(local.Given[0], i),
+      isFirst ? i + 1 : std::max(local.Given[1], i + 1) };
   }
 
   // Returns whether no criterion leaves a corner of a cell out.
@@ -845,7 +878,7 @@ private:
     }
     else
     {
-      local.Gave[i] = 1;
+      this->NoteGiven(local, i, 1);
     }
     ++place.Whole;
   }
@@ -1035,6 +1068,9 @@ private:
   // The columns [first, last) of a row of cells that give output.
   std::vector<std::array<vtkIdType, 2>> Columns;
   bool MarksUsed = false;
+  // All rows of codes, where they are kept.
+  ExtractionBuffer<Code> AllCodes;
+  std::vector<CodeRow> CodeRows;
   vtkSMPThreadLocal<Local> Locals;
 };
 }

@@ -102,6 +102,14 @@ public:
     }
   }
 
+  /// Calls visit(point) for the first points of a cell, as many as it has corners.
+  template <typename Visitor>
+  void ForEachPoint(vtkIdType cell, Visitor&& visit) const
+  {
+    const Stored* ids = this->GetFirst(cell);
+    std::for_each_n(ids, this->GetCorners(cell).NumberOfCorners, visit);
+  }
+
   /// Gives all points of a cell as they are stored.
   void GetStored(vtkIdType cell, std::vector<vtkIdType>& points) const
   {

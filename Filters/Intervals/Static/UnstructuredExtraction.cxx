@@ -4,19 +4,24 @@
 #include "Common/GridCells.h"
 #include "Grid/CellOrientation.h"
 #include "Grid/CornerOrder.h"
+#include "Scalars/ExtractionScalars.h"
+#include "Soup/SoupArrays.h"
+#include "Soup/SoupBuilder.h"
 #include "Static/CrossingLists.h"
 #include "Static/ExtractionCell.h"
 #include "Static/ExtractionIndex.h"
-#include "Static/ExtractionScalars.h"
 #include "Static/MergedCut.h"
 #include "Static/UnstructuredCells.h"
 #include "Static/WholePolyhedra.h"
 
 #include "vtkPointData.h"
+#include "vtkSMPThreadLocal.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <atomic>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -30,6 +35,8 @@ using Slot = vtkIsotable::Slot;
 using Item = ExtractionValues::Item;
 
 constexpr vtkIdType ChunkSize = 256 * ExtractionIndex::RunLength;
+// How many cells ahead coordinates are asked for.
+constexpr int CellsAhead = 4;
 
 // The size of what a cut of its own left.
 struct CutSize
@@ -64,6 +71,8 @@ struct Chunk
   std::vector<vtkIsotable::Triangle> CutTriangles;
   std::vector<vtkIdType> TiedTriangles;
   std::vector<vtkIdType> TiedSimplices;
+  // The triangles, where they share no points.
+  SoupPart Soup;
   vtkIdType Simplices = 0;
   vtkIdType Triangles = 0;
   vtkExtractionReport Report;
@@ -73,7 +82,7 @@ struct Chunk
     return this->Cases.capacity() * sizeof(Found) + this->Nodes.capacity() * sizeof(void*) +
       this->Cuts.capacity() * sizeof(CutSize) +
       this->CutSimplices.capacity() * sizeof(vtkIsotable::Simplex) +
-      this->CutTriangles.capacity() * sizeof(vtkIsotable::Triangle);
+      this->CutTriangles.capacity() * sizeof(vtkIsotable::Triangle) + this->Soup.GetBytes();
   }
 };
 
@@ -171,8 +180,11 @@ public:
     , SimplexSize(context.GetSimplexSize())
     , Marks(*context.Values, grid->GetNumberOfPoints())
     , KeepsNodes(context.Values->GetKind() == vtkIsotable::CONTOUR)
-    , Points(grid->GetNumberOfPoints(), KeepsNodes)
   {
+    if (!context.Soup || context.TakeDuplicates)
+    {
+      this->Points.emplace(this->NumberOfPoints, this->KeepsNodes);
+    }
     for (int shape = 0; shape < vtkIsotable::NUMBER_OF_SHAPES; ++shape)
     {
       this->Tables[shape] =
@@ -209,12 +221,15 @@ public:
             this->CountChunk(chunk);
           }
         });
-    if (!counted)
+    if (!counted || !this->ShareTied(chunks))
     {
       return false;
     }
-    this->Points.MakePoints(*this->Scalars, this->Mesh.Points);
-    this->Order.SortHalfway(this->Mesh.Points.GetData(), this->Mesh.Points.GetSize());
+    if (this->Points)
+    {
+      this->Points->MakePoints(*this->Scalars, this->Mesh.Points);
+      this->Order.SortHalfway(this->Mesh.Points.GetData(), this->Mesh.Points.GetSize());
+    }
     this->NoteWorkingBytes();
     this->Codes.Free();
     this->Marks.Free();
@@ -224,7 +239,7 @@ public:
       {
         for (vtkIdType chunk = first; chunk < last; ++chunk)
         {
-          this->WriteChunk(chunk);
+          this->Points ? this->WriteChunk(chunk) : this->WriteSoup(chunk);
         }
       });
     for (const Chunk& chunk : this->Chunks)
@@ -238,6 +253,34 @@ public:
   }
 
 private:
+  // Enters the points of all cases that were counted without, where triangles may have to be
+  // compared with those of the cells beside theirs. Returns false when the user aborted.
+  bool ShareTied(vtkIdType chunks)
+  {
+    if (this->Points || !this->HasTiedFaces)
+    {
+      return true;
+    }
+    this->Points.emplace(this->NumberOfPoints, this->KeepsNodes);
+    return this->Context.Run(chunks, 0.4, 0.5,
+      [this](vtkIdType first, vtkIdType last)
+      {
+        CrossingLists::Arena& arena = this->Points->GetArena();
+        Cell cell{};
+        cell.Id = -1;
+        for (vtkIdType chunk = first; chunk < last; ++chunk)
+        {
+          this->ForEachCut(chunk,
+            [&](vtkIdType id, vtkIsotable::Shapes, const Found& found, const Cut& cut)
+            {
+              this->ReadNext(id, cell);
+              this->EnterCut(
+                cell, this->Values.GetItems()[found.Item], cut, this->Chunks[chunk], arena);
+            });
+        }
+      });
+  }
+
   bool IsBlanked(vtkIdType id, const CellCorners& corners) const
   {
     if (this->Context.IsCellLeftOut(id))
@@ -297,6 +340,15 @@ private:
       }
       this->Order.Turn(cell.Shape, cell.Ids);
       cell.IsAscending = this->Order.IsAscending(cell.Ids, cell.NumberOfCorners);
+    }
+  }
+
+  // Reads a cell unless it is the one that was read last.
+  void ReadNext(vtkIdType id, Cell& cell) const
+  {
+    if (id != cell.Id)
+    {
+      this->Read(id, cell);
     }
   }
 
@@ -363,18 +415,26 @@ private:
   void CountChunk(vtkIdType number)
   {
     Chunk& chunk = this->Chunks[number];
-    CrossingLists::Arena& arena = this->Points.GetArena();
+    CrossingLists::Arena* const arena = this->Points ? &this->Points->GetArena() : nullptr;
+    SoupBuilder* const soup = this->Points ? nullptr : &this->Soups.Local();
+    if (soup)
+    {
+      soup->Begin();
+    }
     const vtkIdType begin = number * ChunkSize;
     const vtkIdType end = std::min(begin + ChunkSize, this->NumberOfCells);
     std::uint16_t near[ChunkSize];
     int numberNear = 0;
     MergedCut merged;
-    for (vtkIdType first = begin; first < end; first += ExtractionIndex::RunLength)
+    // Without an index all runs are one, unless what was passed on whole comes first in each.
+    const vtkIdType length =
+      this->Context.Index || KeepsWhole ? ExtractionIndex::RunLength : ChunkSize;
+    for (vtkIdType first = begin; first < end; first += length)
     {
       if (!this->Context.Index ||
         this->Context.Index->IsRunActive(first / ExtractionIndex::RunLength))
       {
-        const vtkIdType last = std::min(first + ExtractionIndex::RunLength, end);
+        const vtkIdType last = std::min(first + length, end);
         chunk.Report.CellsVisited += last - first;
         this->FindNear(first, last, begin, near, numberNear, chunk.Report);
       }
@@ -384,13 +444,31 @@ private:
     std::vector<vtkIdType> points;
     for (int c = 0; c < numberNear; ++c)
     {
+      if (c + CellsAhead < numberNear && !this->Context.KeepOrientation)
+      {
+        this->Cells.ForEachPoint(begin + near[c + CellsAhead],
+          [this](vtkIdType point) { this->Orientation.Prefetch(point); });
+      }
       if (this->CountAsWhole(begin + near[c], near[c], chunk, arena, points))
       {
         continue;
       }
       this->Read(begin + near[c], cell);
-      this->CountCell(cell, near[c], chunk, arena, merged, points);
+      this->CountCell(cell, near[c], chunk, arena, soup, merged, points);
     }
+    if (soup)
+    {
+      this->KeepSoup(*soup, chunk);
+    }
+  }
+
+  // Interpolates the points of a chunk's triangles, which are in the cache by now.
+  void KeepSoup(SoupBuilder& soup, Chunk& chunk) const
+  {
+    std::vector<ExtractionPoint>& points = soup.GetPoints();
+    this->Scalars->Place(points.data(), static_cast<vtkIdType>(points.size()));
+    this->Order.SortHalfwayInThread(points.data(), points.data() + points.size());
+    chunk.Soup = this->Context.Soup->Interpolate(soup);
   }
 
   // Appends the cells first ... last - 1 that are near an item, by their distance from begin.
@@ -415,17 +493,21 @@ private:
       }
       return;
     }
+    int found = numberNear;
+    vtkIdType nonFinite = 0;
     this->Cells.ForEachMarks(first, last, this->Marks.GetData(),
       [&](vtkIdType id, PointMarks::Mark marks)
       {
-        near[numberNear] = static_cast<std::uint16_t>(id - begin);
-        numberNear += this->Marks.IsNear(marks);
-        report.NonFiniteCells += PointMarks::IsNonFinite(marks);
+        near[found] = static_cast<std::uint16_t>(id - begin);
+        found += this->Marks.IsNear(marks);
+        nonFinite += PointMarks::IsNonFinite(marks);
       });
+    numberNear = found;
+    report.NonFiniteCells += nonFinite;
   }
 
-  void CountCell(Cell& cell, vtkIdType position, Chunk& chunk, CrossingLists::Arena& arena,
-    MergedCut& merged, std::vector<vtkIdType>& points)
+  void CountCell(Cell& cell, vtkIdType position, Chunk& chunk, CrossingLists::Arena* arena,
+    SoupBuilder* soup, MergedCut& merged, std::vector<vtkIdType>& points)
   {
     Code least = std::numeric_limits<Code>::max();
     Code greatest = 0;
@@ -469,15 +551,17 @@ private:
       const Cut cut = isPlain
         ? this->GetTableCut(what)
         : this->MakeCut(cell, item, what, isMerged ? same : nullptr, merged, chunk, slots);
-      for (std::size_t s = 0; s < cut.NumberOfSlots; ++s)
+      if (soup)
       {
-        vtkIdType owner;
-        const CrossingKey point = this->GetPoint(cell, item, cut.Slots[s], owner);
-        const CrossingLists::Node* node = this->Points.Enter(owner, point, arena);
-        if (this->KeepsNodes)
+        this->AddToSoup(cell, item, cut, isInverted, *soup);
+        if (isMerged)
         {
-          chunk.Nodes.push_back(node);
+          this->FindTiedFaces(cell.Shape, cut, merged);
         }
+      }
+      else
+      {
+        this->EnterCut(cell, item, cut, chunk, *arena);
       }
       chunk.Simplices += static_cast<vtkIdType>(cut.NumberOfSimplices);
       chunk.Triangles += static_cast<vtkIdType>(cut.NumberOfTriangles);
@@ -485,6 +569,47 @@ private:
         static_cast<std::uint16_t>(number), isPlain, isMerged, isInverted });
     }
     chunk.Report.CellsWithOutput += GetOutput(chunk) != before;
+  }
+
+  // Enters the points of a cut.
+  void EnterCut(
+    const Cell& cell, const Item& item, const Cut& cut, Chunk& chunk, CrossingLists::Arena& arena)
+  {
+    for (std::size_t s = 0; s < cut.NumberOfSlots; ++s)
+    {
+      vtkIdType owner;
+      const CrossingKey point = this->GetPoint(cell, item, cut.Slots[s], owner);
+      const CrossingLists::Node* node = this->Points->Enter(owner, point, arena);
+      if (this->KeepsNodes)
+      {
+        chunk.Nodes.push_back(node);
+      }
+    }
+  }
+
+  // Adds the triangles of a cut, each with points of its own.
+  void AddToSoup(
+    const Cell& cell, const Item& item, const Cut& cut, bool isInverted, SoupBuilder& soup) const
+  {
+    SoupPart::Index points[vtkIsotable::MaximumNumberOfSlots];
+    for (std::size_t s = 0; s < cut.NumberOfSlots; ++s)
+    {
+      vtkIdType owner;
+      const CrossingKey key = this->GetPoint(cell, item, cut.Slots[s], owner);
+      points[cut.Slots[s]] = soup.Enter(owner, key);
+    }
+    soup.Add(cut.Simplices, cut.NumberOfSimplices, points, isInverted);
+  }
+
+  // Notes whether triangles of a cell with merged slots lie in one face of it.
+  void FindTiedFaces(vtkIsotable::Shapes shape, const Cut& cut, MergedCut& merged)
+  {
+    if (std::any_of(cut.Simplices, cut.Simplices + cut.NumberOfSimplices,
+          [&](const vtkIsotable::Simplex& simplex)
+          { return merged.IsInFace(*this->Tables[shape], simplex); }))
+    {
+      this->HasTiedFaces.store(true, std::memory_order_relaxed);
+    }
   }
 
   static vtkIdType GetOutput(const Chunk& chunk)
@@ -533,7 +658,7 @@ private:
 
   // Counts a cell that is whole in each interval that it touches. Returns false, and counts
   // nothing, where it is not.
-  bool CountAsWhole(vtkIdType id, vtkIdType position, Chunk& chunk, CrossingLists::Arena& arena,
+  bool CountAsWhole(vtkIdType id, vtkIdType position, Chunk& chunk, CrossingLists::Arena* arena,
     std::vector<vtkIdType>& points)
   {
     if constexpr (KeepsWhole)
@@ -606,7 +731,7 @@ private:
   }
 
   void EnterWhole(vtkIdType id, vtkIdType position, std::size_t item, Chunk& chunk,
-    CrossingLists::Arena& arena, std::vector<vtkIdType>& points)
+    CrossingLists::Arena* arena, std::vector<vtkIdType>& points)
   {
     this->GetWholePoints(id, points);
     if (points.empty())
@@ -615,7 +740,7 @@ private:
     }
     for (const vtkIdType point : points)
     {
-      this->Points.Enter(point, {}, arena);
+      this->Points->Enter(point, {}, *arena);
     }
     ++chunk.Whole;
     chunk.WholeIds += static_cast<vtkIdType>(points.size());
@@ -705,12 +830,17 @@ private:
     }
     this->Mesh.Allocate(
       simplices, this->SimplexSize, triangles, this->Context.KeepCellIds, whole, wholeIds);
+    if (!this->Points)
+    {
+      this->Mesh.Simplices.NumberConsecutively();
+      this->Context.Soup->Allocate(3 * simplices);
+    }
   }
 
   void NoteWorkingBytes() const
   {
-    std::size_t bytes = this->Codes.GetBytes() + this->Marks.GetBytes() + this->Points.GetBytes() +
-      this->Mesh.Points.GetBytes();
+    std::size_t bytes = this->Codes.GetBytes() + this->Marks.GetBytes() +
+      (this->Points ? this->Points->GetBytes() : 0) + this->Mesh.Points.GetBytes();
     for (const Chunk& chunk : this->Chunks)
     {
       bytes += chunk.GetBytes();
@@ -718,20 +848,15 @@ private:
     this->Context.NoteWorkingBytes(bytes);
   }
 
-  void WriteChunk(vtkIdType number)
+  // Calls visit(cell, shape, found, cut) for each case of a chunk.
+  template <typename Visitor>
+  void ForEachCut(vtkIdType number, Visitor&& visit) const
   {
-    Chunk& chunk = this->Chunks[number];
-    vtkIdType simplex = chunk.Simplices;
-    vtkIdType triangle = chunk.Triangles;
+    const Chunk& chunk = this->Chunks[number];
     auto own = chunk.Cuts.begin();
     std::size_t ownSimplex = 0;
     std::size_t ownTriangle = 0;
-    auto node = chunk.Nodes.begin();
     Slot slots[vtkIsotable::MaximumNumberOfSlots];
-    vtkIdType ids[vtkIsotable::MaximumNumberOfSlots];
-    MergedCut merged;
-    Cell cell{};
-    cell.Id = -1;
     for (const Found& found : chunk.Cases)
     {
       const vtkIdType id = number * ChunkSize + found.Position;
@@ -744,30 +869,62 @@ private:
         ownTriangle += own->Triangles;
         ++own;
       }
-      if (this->KeepsNodes)
-      {
-        for (std::size_t s = 0; s < cut.NumberOfSlots; ++s)
-        {
-          ids[cut.Slots[s]] = (*node++)->Id;
-        }
-      }
-      else
-      {
-        if (id != cell.Id)
-        {
-          this->Read(id, cell);
-        }
-        this->FindIds(cell, this->Values.GetItems()[found.Item], cut, ids);
-      }
-      if (found.IsMerged)
-      {
-        this->NoteTied(shape, cut, simplex, triangle, merged, chunk);
-      }
-      this->WriteCut(id, found, cut, ids, simplex, triangle);
+      visit(id, shape, found, cut);
     }
+  }
+
+  void WriteChunk(vtkIdType number)
+  {
+    Chunk& chunk = this->Chunks[number];
+    vtkIdType simplex = chunk.Simplices;
+    vtkIdType triangle = chunk.Triangles;
+    auto node = chunk.Nodes.begin();
+    vtkIdType ids[vtkIsotable::MaximumNumberOfSlots];
+    MergedCut merged;
+    Cell cell{};
+    cell.Id = -1;
+    this->ForEachCut(number,
+      [&](vtkIdType id, vtkIsotable::Shapes shape, const Found& found, const Cut& cut)
+      {
+        if (this->KeepsNodes)
+        {
+          for (std::size_t s = 0; s < cut.NumberOfSlots; ++s)
+          {
+            ids[cut.Slots[s]] = (*node++)->Id;
+          }
+        }
+        else
+        {
+          this->ReadNext(id, cell);
+          this->FindIds(cell, this->Values.GetItems()[found.Item], cut, ids);
+        }
+        if (found.IsMerged)
+        {
+          this->NoteTied(shape, cut, simplex, triangle, merged, chunk);
+        }
+        this->WriteCut(id, found, cut, ids, simplex, triangle);
+      });
     if constexpr (KeepsWhole)
     {
       this->WriteWhole(number * ChunkSize, chunk);
+    }
+  }
+
+  // Writes the triangles of a chunk that share no points.
+  void WriteSoup(vtkIdType number)
+  {
+    Chunk& chunk = this->Chunks[number];
+    this->Context.Soup->Write(chunk.Soup, 3 * chunk.Simplices);
+    chunk.Soup = SoupPart();
+    if (this->Mesh.HasSeveralItems || this->Context.KeepCellIds)
+    {
+      vtkIdType simplex = chunk.Simplices;
+      this->ForEachCut(number,
+        [&](vtkIdType id, vtkIsotable::Shapes, const Found& found, const Cut& cut)
+        {
+          this->Mesh.NoteSimplices(simplex, cut.NumberOfSimplices, found.Item, id);
+          simplex += static_cast<vtkIdType>(cut.NumberOfSimplices);
+        });
     }
   }
 
@@ -783,7 +940,7 @@ private:
       const unsigned char type = this->GetWholePoints(id, points);
       for (vtkIdType& point : points)
       {
-        point = this->Points.GetId(point, {});
+        point = this->Points->GetId(point, {});
       }
       const int number = static_cast<int>(points.size());
       this->Mesh.WriteWhole(whole++, place, type, points.data(), number, found.Item, id);
@@ -816,7 +973,7 @@ private:
     {
       vtkIdType owner;
       const CrossingKey key = this->GetPoint(cell, item, cut.Slots[s], owner);
-      ids[cut.Slots[s]] = this->Points.GetId(owner, key);
+      ids[cut.Slots[s]] = this->Points->GetId(owner, key);
     }
   }
 
@@ -855,7 +1012,10 @@ private:
   // the points of its cells than to look them up once more. For the tetrahedra of an interval that
   // would take too much memory.
   bool KeepsNodes;
-  CrossingLists Points;
+  // The points that cells share; none where every triangle has points of its own.
+  std::optional<CrossingLists> Points;
+  std::atomic<bool> HasTiedFaces{ false };
+  vtkSMPThreadLocal<SoupBuilder> Soups;
   std::vector<Chunk> Chunks;
 };
 

@@ -2,8 +2,8 @@
 #include "TimeVarying/SimplexSlicer.h"
 
 #include "Grid/CornerOrder.h"
+#include "Scalars/ExtractionScalars.h"
 #include "Static/CrossingLists.h"
-#include "Static/ExtractionScalars.h"
 #include "TimeVarying/SimplexSliceTable.h"
 
 #include "vtkCellData.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TimeVarying/TimeStep.h"
 
+#include "Arrays/ExtractionArrays.h"
 #include "Common/GridCells.h"
-#include "Static/ExtractionArrays.h"
-#include "Static/ExtractionDispatch.h"
+#include "Scalars/ExtractionDispatch.h"
+#include "Scalars/ExtractionScalars.h"
 #include "Static/ExtractionLinearizer.h"
-#include "Static/ExtractionScalars.h"
 #include "Static/GhostCells.h"
 
 #include "vtkCellArray.h"

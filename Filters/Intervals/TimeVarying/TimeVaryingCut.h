@@ -2,7 +2,7 @@
 #ifndef interlume_TimeVaryingCut_h
 #define interlume_TimeVaryingCut_h
 
-#include "Static/ExtractionValues.h"
+#include "Scalars/ExtractionValues.h"
 #include "TimeVarying/TimeVaryingSlots.h"
 
 #include "vtkIsotableCache.h"

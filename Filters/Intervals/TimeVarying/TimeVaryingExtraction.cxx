@@ -2,9 +2,9 @@
 #include "TimeVarying/TimeVaryingExtraction.h"
 
 #include "Common/GridCells.h"
+#include "Scalars/ExtractionScalars.h"
 #include "Static/CrossingLists.h"
 #include "Static/ExtractionCell.h"
-#include "Static/ExtractionScalars.h"
 #include "TimeVarying/FacePlanarity.h"
 #include "TimeVarying/TimeVaryingBoundary.h"
 #include "TimeVarying/TimeVaryingCells.h"

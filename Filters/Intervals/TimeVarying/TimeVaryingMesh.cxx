@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TimeVarying/TimeVaryingMesh.h"
 
+#include "Arrays/ExtractionArrays.h"
 #include "Output/TiedFaces.h"
 #include "Static/CrossingLists.h"
-#include "Static/ExtractionArrays.h"
 #include "TimeVarying/TimeStep.h"
 
 #include "vtkIdList.h"

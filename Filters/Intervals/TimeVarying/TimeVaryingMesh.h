@@ -2,8 +2,8 @@
 #ifndef interlume_TimeVaryingMesh_h
 #define interlume_TimeVaryingMesh_h
 
+#include "Output/CrossingKey.h"
 #include "Output/ExtractionBuffer.h"
-#include "Static/CrossingKey.h"
 #include "Static/ExtractionContext.h"
 #include "TimeVarying/SimplexProjection.h"
 #include "TimeVarying/TimeVaryingOptions.h"

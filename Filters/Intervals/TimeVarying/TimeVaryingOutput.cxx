@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TimeVarying/TimeVaryingOutput.h"
 
-#include "Static/ExtractionArrays.h"
+#include "Arrays/ExtractionArrays.h"
 #include "TimeVarying/TimeVaryingMesh.h"
 
 #include "vtkCellArray.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TimeVarying/TimeVaryingRun.h"
 
-#include "Static/ExtractionArrays.h"
+#include "Arrays/ExtractionArrays.h"
 #include "Static/ExtractionInput.h"
 #include "TimeVarying/TimeVaryingExtraction.h"
 #include "TimeVarying/TimeVaryingOutput.h"

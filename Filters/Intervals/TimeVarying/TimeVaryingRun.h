@@ -2,8 +2,8 @@
 #ifndef interlume_TimeVaryingRun_h
 #define interlume_TimeVaryingRun_h
 
+#include "Scalars/ExtractionValues.h"
 #include "Static/EmptyResult.h"
-#include "Static/ExtractionValues.h"
 #include "TimeVarying/TimeStep.h"
 #include "TimeVarying/TimeVaryingMesh.h"
 

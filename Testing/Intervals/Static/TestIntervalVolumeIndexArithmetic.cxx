@@ -2,7 +2,7 @@
 // The index arithmetic of the extraction on grids with more than 2^31 points, where 32 bits would
 // wrap.
 
-#include "Static/CrossingKey.h"
+#include "Output/CrossingKey.h"
 #include "vtkIdList.h"
 #include "Grid/RowIndex.h"
 #include "Output/SimplexList.h"

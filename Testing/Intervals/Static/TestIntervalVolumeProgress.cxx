@@ -39,7 +39,7 @@ void CheckPrint(Check& check)
   contour->SetValue(1, 7.625);
   const std::string contourText = Print(contour);
   CheckPrinted(contourText, report, check);
-  CheckPrinted(contourText, { "OutputPointsPrecision", "UseValueIndex", "6.375", "7.625" }, check);
+  CheckPrinted(contourText, { "OutputPointsPrecision", "MergePoints", "UseValueIndex", "6.375", "7.625" }, check);
 }
 
 }

@@ -65,7 +65,7 @@ Quantity MakeContour(const BenchOptions& options)
   made.Make = [](int points, const BenchOptions&)
   {
     return MakeJob(MakeWavelet(points), 1,
-      [](const BenchData& data) { return methods::IsotableContour(data.Data, data.Lower); });
+      [](const BenchData& data) { return methods::IsotableContour(data.Data, data.Lower, true); });
   };
   return made;
 }

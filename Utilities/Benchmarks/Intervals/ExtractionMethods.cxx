@@ -54,12 +54,14 @@ vtkSmartPointer<vtkUnstructuredGrid> ToTetrahedra(vtkUnstructuredGrid* grid)
   return filter->GetOutput();
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> IsotableContour(vtkDataSet* data, double value)
+vtkSmartPointer<vtkUnstructuredGrid> IsotableContour(
+  vtkDataSet* data, double value, bool mergePoints)
 {
   vtkNew<vtkIsotableContour> filter;
   filter->SetInputData(data);
   filter->SetNumberOfContours(1);
   filter->SetValue(0, value);
+  filter->SetMergePoints(mergePoints);
   filter->Update();
   return filter->GetOutput();
 }

@@ -39,9 +39,10 @@ vtkSmartPointer<vtkUnstructuredGrid> ClipTwice(
 vtkSmartPointer<vtkUnstructuredGrid> ToTetrahedra(vtkUnstructuredGrid* grid);
 
 /**
- * vtkIsotableContour.
+ * vtkIsotableContour with or without merged points.
  */
-vtkSmartPointer<vtkUnstructuredGrid> IsotableContour(vtkDataSet* data, double value);
+vtkSmartPointer<vtkUnstructuredGrid> IsotableContour(
+  vtkDataSet* data, double value, bool mergePoints);
 
 /**
  * vtkContour3DLinearGrid with or without merged points; neither normals nor attributes.

@@ -14,6 +14,7 @@ namespace
 {
 const char* const OnImage = "isotable-image";
 const char* const OnHexahedra = "isotable-hexahedra";
+const char* const OnHexahedraUnmerged = "isotable-hexahedra-unmerged";
 
 class SuiteContour : public BenchSuite
 {
@@ -32,8 +33,8 @@ std::vector<std::string> SuiteContour::GetDescription() const
     "isotable-hexahedra: vtkIsotableContour on the unstructured hexahedra of each case, against "
     "contour3dlinear and contour3dlinear-merge, vtkContour3DLinearGrid with MergePoints off and "
     "on; "
-    "neither normals nor attributes. vtkIsotableContour always merges points and carries the "
-    "scalar.",
+    "neither normals nor attributes. vtkIsotableContour merges points and carries the scalar.",
+    "isotable-hexahedra-unmerged: the same with MergePoints off, against contour3dlinear.",
     "isotable-image: vtkIsotableContour on image data, against flyingedges, vtkFlyingEdges3D "
     "without "
     "normals and gradients.",
@@ -100,9 +101,13 @@ void AddHexahedraRows(const BenchData& data, const BenchOptions& options, BenchR
   {
     AddRows(MakeRow(data, OnHexahedra, rows), threads,
       { "contour3dlinear", "contour3dlinear-merge" },
-      { [&]() { return methods::IsotableContour(grid, value); },
+      { [&]() { return methods::IsotableContour(grid, value, true); },
         [&]() { return methods::Contour3DLinearGrid(grid, value, false); },
         [&]() { return methods::Contour3DLinearGrid(grid, value, true); } },
+      options, rows);
+    AddRows(MakeRow(data, OnHexahedraUnmerged, rows), threads, { "contour3dlinear" },
+      { [&]() { return methods::IsotableContour(grid, value, false); },
+        [&]() { return methods::Contour3DLinearGrid(grid, value, false); } },
       options, rows);
   }
 }
@@ -118,7 +123,7 @@ void AddImageRows(const BenchData& data, const BenchOptions& options, BenchRows&
   for (int threads : options.GetThreadCounts())
   {
     AddRows(MakeRow(data, OnImage, rows), threads, { "flyingedges" },
-      { [&]() { return methods::IsotableContour(image, value); },
+      { [&]() { return methods::IsotableContour(image, value, true); },
         [&]() { return methods::FlyingEdges(image, value); } },
       options, rows);
   }
@@ -140,6 +145,11 @@ std::vector<BenchPlot> SuiteContour::MakePlots(const std::vector<BenchRow>& rows
   {
     plots.push_back(std::move(plot));
   }
+  // The plot of another method against a peer of the first has a name of its own.
+  for (BenchPlot& plot : MakeRatioPlots("contour-unmerged", OnHexahedraUnmerged, rows))
+  {
+    plots.push_back(std::move(plot));
+  }
   return plots;
 }
 
@@ -149,6 +159,10 @@ std::vector<BenchClaim> SuiteContour::CheckClaims(const std::vector<BenchRow>& r
              RatioWithOneThread(OnHexahedra, "contour3dlinear")),
     BenchClaim::AtLeast("hexahedra, 1 thread: no slower than contour3dlinear-merge", 1.0, rows,
       RatioWithOneThread(OnHexahedra, "contour3dlinear-merge")),
+    BenchClaim::AtLeast("hexahedra without shared points, 1 thread: no slower than contour3dlinear",
+      1.0, rows, RatioWithOneThread(OnHexahedraUnmerged, "contour3dlinear")),
+    BenchClaim::AtLeast("image data, 1 thread: at most twice slower than flyingedges", 0.5, rows,
+      RatioWithOneThread(OnImage, "flyingedges")),
     BenchClaim::AtLeast("image data, 1 thread: at most 4 times slower than flyingedges", 0.25, rows,
       RatioWithOneThread(OnImage, "flyingedges")) };
 }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Static/ExtractionArrays.h"
+#include "Arrays/ExtractionArrays.h"
 
 #include "Grid/RowIndex.h"
+#include "Output/Interpolation.h"
+#include "Output/ThreadGrain.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkArrayDispatch.h"
 #include "vtkCellData.h"
 #include "vtkDataArrayRange.h"
@@ -14,12 +17,14 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkRectilinearGrid.h"
+#include "vtkSMPTools.h"
 #include "vtkStructuredGrid.h"
 
-#include <cmath>
+#include <array>
 #include <cstring>
 #include <limits>
 #include <type_traits>
+#include <vector>
 
 namespace interlume
 {
@@ -27,21 +32,6 @@ namespace interlume
 namespace
 {
 using PointList = ExtractionBuffer<ExtractionPoint>;
-
-// Interpolates between two values: exact where near equals far, and near itself for a grid point,
-// whatever far holds.
-template <typename Out>
-Out Interpolate(double near, double far, double weight)
-{
-  if (weight == 0.0)
-  {
-    return static_cast<Out>(near);
-  }
-  const double step = far - near;
-  // The step between two finite values may not be finite.
-  return static_cast<Out>(
-    std::isfinite(step) ? near + weight * step : near * (1.0 - weight) + far * weight);
-}
 
 // Interpolates from two arrays, of which the second has the points from Split on.
 struct InterpolateWorker
@@ -79,7 +69,7 @@ private:
           ? from[point * components + c]
           : fromSecond[(point - this->Split) * components + c]);
     };
-    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Points.GetSize()),
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Points.GetSize()), ThreadGrain,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType p = begin; p < end; ++p)
@@ -88,7 +78,7 @@ private:
           for (vtkIdType c = 0; c < (Known ? Known : components); ++c)
           {
             to[p * components + c] =
-              Interpolate<Out>(value(point.Near, c), value(point.Far, c), point.Weight);
+              Interpolation::Between<Out>(value(point.Near, c), value(point.Far, c), point.Weight);
           }
         }
       });
@@ -183,7 +173,8 @@ public:
     {
       const int axis = this->Rows.GetAxis(point.Near, point.Far);
       const int step = point.Near < point.Far ? 1 : -1;
-      x[axis] = Interpolate<double>(x[axis], this->Axes[axis][near[axis] + step], point.Weight);
+      x[axis] =
+        Interpolation::Between<double>(x[axis], this->Axes[axis][near[axis] + step], point.Weight);
     }
   }
 
@@ -197,7 +188,7 @@ private:
       this->Turned->GetPoint(point.Far, end);
       for (int axis = 0; axis < 3; ++axis)
       {
-        x[axis] = Interpolate<double>(x[axis], end[axis], point.Weight);
+        x[axis] = Interpolation::Between<double>(x[axis], end[axis], point.Weight);
       }
     }
   }
@@ -216,7 +207,7 @@ void FillRowPoints(vtkDataSet* input, const PointList& points, OutArray* out)
   ExtractionArrays::GetRowDimensions(input, dimensions);
   const RowCoordinates coordinates(input, dimensions);
   Out* to = out->GetPointer(0);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(points.GetSize()),
+  vtkSMPTools::For(0, static_cast<vtkIdType>(points.GetSize()), ThreadGrain,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType p = first; p < last; ++p)
@@ -284,7 +275,7 @@ struct CopyWorker
     const auto from = vtk::DataArrayValueRange(in);
     auto to = vtk::DataArrayValueRange(out);
     const vtkIdType components = in->GetNumberOfComponents();
-    vtkSMPTools::For(0, this->Number,
+    vtkSMPTools::For(0, this->Number, ThreadGrain,
       [&](vtkIdType first, vtkIdType last)
       {
         for (vtkIdType i = first; i < last; ++i)
@@ -344,6 +335,18 @@ int ExtractionArrays::GetInterpolatedType(int dataType)
   }
 }
 
+vtkSmartPointer<vtkAbstractArray> ExtractionArrays::NewInterpolated(
+  vtkAbstractArray* in, vtkIdType number)
+{
+  vtkSmartPointer<vtkAbstractArray> out;
+  out.TakeReference(vtkDataArray::SafeDownCast(in)
+      ? vtkDataArray::CreateDataArray(GetInterpolatedType(in->GetDataType()))
+      : in->NewInstance());
+  out->SetNumberOfComponents(in->GetNumberOfComponents());
+  out->SetNumberOfTuples(number);
+  return out;
+}
+
 vtkSmartPointer<vtkPoints> ExtractionArrays::MakePoints(
   vtkDataSet* input, const ExtractionBuffer<ExtractionPoint>& points, int precision)
 {
@@ -385,13 +388,9 @@ int ExtractionArrays::InterpolatePointData(vtkPointData* first, vtkPointData* se
     {
       continue;
     }
-    vtkSmartPointer<vtkAbstractArray> out;
     vtkDataArray* numbers = vtkDataArray::SafeDownCast(in);
-    out.TakeReference(numbers
-        ? vtkDataArray::CreateDataArray(GetInterpolatedType(in->GetDataType()))
-        : in->NewInstance());
-    out->SetNumberOfComponents(in->GetNumberOfComponents());
-    out->SetNumberOfTuples(static_cast<vtkIdType>(points.GetSize()));
+    const vtkSmartPointer<vtkAbstractArray> out =
+      NewInterpolated(in, static_cast<vtkIdType>(points.GetSize()));
     if (numbers)
     {
       vtkDataArray* made = vtkDataArray::SafeDownCast(out);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Static/ExtractionValues.h"
+#include "Scalars/ExtractionValues.h"
 
 #include <algorithm>
 

@@ -41,6 +41,26 @@ void Classify(const T* INTERLUME_RESTRICT values, std::int64_t number, const T* 
   }
 }
 
+/// Returns the first place after \a first whose code is another than there, or \a last.
+inline std::int64_t FindChange(const Code* codes, std::int64_t first, std::int64_t last)
+{
+  // Codes are compared four at a time.
+  constexpr std::int64_t step = sizeof(std::uint64_t) / sizeof(Code);
+  constexpr std::uint64_t ones = 0x0001000100010001;
+  const Code code = codes[first];
+  std::uint64_t four = code * ones;
+  while (first + step <= last && four == code * ones)
+  {
+    std::memcpy(&four, codes + first, sizeof(four));
+    first += four == code * ones ? step : 0;
+  }
+  while (first < last && codes[first] == code)
+  {
+    ++first;
+  }
+  return first;
+}
+
 /**
  * Finds the ends of a row: \a first is the first place whose code is not that at 0, \a last the
  * last whose code is not that at \a number - 1. Where all codes are equal, they are number and -1.
@@ -57,15 +77,7 @@ inline void FindEnds(
     std::memcpy(&four, codes + at, sizeof(four));
     return four == pattern;
   };
-  first = 0;
-  while (first + step <= number && equals(first, codes[0] * ones))
-  {
-    first += step;
-  }
-  while (first < number && codes[first] == codes[0])
-  {
-    ++first;
-  }
+  first = FindChange(codes, 0, number);
   last = first < number ? number - 1 : -1;
   while (last + 1 >= step && equals(last + 1 - step, codes[number - 1] * ones))
   {

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Static/ExtractionScalars.h"
+#include "Scalars/ExtractionScalars.h"
 
-#include "Static/ExtractionDispatch.h"
-#include "Static/ExtractionKernels.h"
+#include "Scalars/ExtractionDispatch.h"
+#include "Scalars/ExtractionKernels.h"
 
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
+#include <vector>
 
 namespace interlume
 {
@@ -101,10 +106,11 @@ private:
     const Real toB = static_cast<Real>(b) * half - value * half;
     // Which end is nearer cannot be predicted, so that there is no branch.
     const bool isNearA = std::abs(toA) <= std::abs(toB);
-    const vtkIdType near = isNearA ? point.Near : point.Far;
-    point.Far = isNearA ? point.Far : point.Near;
-    point.Near = near;
-    point.Weight = static_cast<double>((isNearA ? toA : toB) / (toA + toB));
+    const vtkIdType exchange = isNearA ? 0 : point.Near ^ point.Far;
+    point.Near ^= exchange;
+    point.Far ^= exchange;
+    const Real to[2] = { toB, toA };
+    point.Weight = static_cast<double>(to[isNearA] / (toA + toB));
   }
 
   bool MarkNonFinite(const T* f, vtkIdType number, Code* codes) const

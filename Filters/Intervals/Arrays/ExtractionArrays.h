@@ -2,10 +2,15 @@
 #ifndef interlume_ExtractionArrays_h
 #define interlume_ExtractionArrays_h
 
-#include "Static/ExtractionContext.h"
+#include "Output/ExtractionBuffer.h"
+#include "Output/ExtractionPoint.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 class vtkAbstractArray;
 class vtkCellData;
+class vtkDataSet;
 class vtkDataSetAttributes;
 class vtkPointData;
 class vtkPoints;
@@ -63,6 +68,9 @@ public:
   /// Makes the array that was processed the active scalars, so that pictures are coloured by it. An
   /// array without a name (null or empty) has the role already: else it could not have been chosen.
   static void ActivateScalars(const char* name, vtkPointData* output);
+
+  /// Makes the array of \a number points that \a in is interpolated in, without values.
+  static vtkSmartPointer<vtkAbstractArray> NewInterpolated(vtkAbstractArray* in, vtkIdType number);
 
   /// Returns the data type that an array of \a dataType is interpolated in.
   static int GetInterpolatedType(int dataType);

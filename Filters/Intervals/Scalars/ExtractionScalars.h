@@ -2,9 +2,12 @@
 #ifndef interlume_ExtractionScalars_h
 #define interlume_ExtractionScalars_h
 
-#include "Static/ExtractionContext.h"
+#include "Output/ExtractionPoint.h"
+#include "Scalars/ExtractionValues.h"
 
 #include <memory>
+
+class vtkDataArray;
 
 namespace interlume
 {
