@@ -34,6 +34,8 @@ void vtkExtractionReport::Add(const vtkExtractionReport& other)
   this->ArraysCopied = std::max(this->ArraysCopied, other.ArraysCopied);
   this->Passes = std::max(this->Passes, other.Passes);
   this->WorkingBytes = std::max(this->WorkingBytes, other.WorkingBytes);
+  this->ReusedBytes = std::max(this->ReusedBytes, other.ReusedBytes);
+  this->IdleBytes = std::max(this->IdleBytes, other.IdleBytes);
 }
 
 void vtkExtractionReport::Print(ostream& os, vtkIndent indent) const
@@ -48,7 +50,8 @@ void vtkExtractionReport::Print(ostream& os, vtkIndent indent) const
       { "CollapsedSimplices", this->CollapsedSimplices }, { "WholeCells", this->WholeCells },
       { "WarpedFaces", this->WarpedFaces }, { "ArraysInterpolated", this->ArraysInterpolated },
       { "ArraysCopied", this->ArraysCopied }, { "Passes", this->Passes },
-      { "WorkingBytes", this->WorkingBytes } });
+      { "WorkingBytes", this->WorkingBytes }, { "ReusedBytes", this->ReusedBytes },
+      { "IdleBytes", this->IdleBytes } });
   for (std::size_t rank = 0; rank < this->CellsOfRanks.size(); ++rank)
   {
     os << indent << "CellsWithOutput of process " << rank << ": " << this->CellsOfRanks[rank]

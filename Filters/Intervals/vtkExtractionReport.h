@@ -56,6 +56,11 @@ struct INTERLUMEINTERVALS_EXPORT vtkExtractionReport
   int Passes = 0;
   /// The largest number of bytes of working memory held, input and output not counted.
   vtkIdType WorkingBytes = 0;
+  /// With KeepMemory: the number of bytes of blocks used before that the execution has used again,
+  /// output and working memory, and of blocks that nobody held at its end. Blocks of less than 64
+  /// KiB are not kept.
+  vtkIdType ReusedBytes = 0;
+  vtkIdType IdleBytes = 0;
   /// Of processes that each extract their piece, where the filter's ReportBalance is on: the number
   /// of cells with output of each, the same in all of them. Empty where it is off, and for one
   /// process.

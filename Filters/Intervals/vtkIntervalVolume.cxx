@@ -4,6 +4,7 @@
 #include "Arrays/ExtractionArrays.h"
 #include "Common/IntervalCheck.h"
 #include "Grid/WholeCells.h"
+#include "Output/KeptMemory.h"
 #include "Output/ProcessBalance.h"
 #include "Static/EmptyResult.h"
 #include "Static/Extraction.h"
@@ -156,6 +157,7 @@ int vtkIntervalVolume::RequestData(
   {
     this->Report = vtkExtractionReport();
     this->Index->BeginExecution();
+    this->BeginMemory();
     this->IsFirstRun = false;
   }
   vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
@@ -176,6 +178,7 @@ int vtkIntervalVolume::RequestData(
     this->Empty->NoteMessage();
     return 1;
   }
+  const interlume::KeptMemory::Use use(this->Memory.get());
   const int passes = 1 + this->GetNumberOfCriteria();
   this->SetProgressShiftScale(0.0, 1.0 / passes);
   vtkNew<vtkUnstructuredGrid> cut;
@@ -203,6 +206,30 @@ int vtkIntervalVolume::RequestData(
     this->Report.Passes = passes;
   }
   return 1;
+}
+
+void vtkIntervalVolume::BeginMemory()
+{
+  if (!this->KeepMemory)
+  {
+    this->Memory.reset();
+    return;
+  }
+  if (!this->Memory)
+  {
+    this->Memory = std::make_unique<interlume::KeptMemory>();
+  }
+  this->Memory->BeginExecution();
+}
+
+void vtkIntervalVolume::EndMemory()
+{
+  if (this->Memory)
+  {
+    this->Memory->EndExecution();
+    this->Report.ReusedBytes = static_cast<vtkIdType>(this->Memory->GetBytesReused());
+    this->Report.IdleBytes = static_cast<vtkIdType>(this->Memory->GetBytesIdle());
+  }
 }
 
 bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalars,
@@ -285,7 +312,9 @@ void vtkIntervalVolume::EndExecution()
   {
     // There was no dataset at all.
     this->Report = vtkExtractionReport();
+    this->BeginMemory();
   }
+  this->EndMemory();
   if (this->GetReportBalance())
   {
     interlume::ProcessBalance::Gather(this, this->Report);
@@ -308,6 +337,7 @@ void vtkIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "KeepWholeCells: " << this->KeepWholeCells << "\n";
   os << indent << "KeepOrigins: " << this->KeepOrigins << "\n";
   os << indent << "UseValueIndex: " << this->UseValueIndex << "\n";
+  os << indent << "KeepMemory: " << this->KeepMemory << "\n";
   os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

@@ -330,7 +330,8 @@ int main(int argc, char* argv[])
       { "KeepWholeCells", Text(interval->GetKeepWholeCells()) },
       { "ReportBalance", Text(interval->GetReportBalance()) },
       { "OutputPointsPrecision", Text(interval->GetOutputPointsPrecision()) },
-      { "UseValueIndex", Text(interval->GetUseValueIndex()) } });
+      { "UseValueIndex", Text(interval->GetUseValueIndex()) },
+      { "KeepMemory", Text(interval->GetKeepMemory()) } });
 
   vtkNew<vtkIsotableContour> contour;
   Check(contour->GetNumberOfContours() == 0, "vtkIsotableContour starts without a value");

@@ -339,11 +339,19 @@ vtkSmartPointer<vtkAbstractArray> ExtractionArrays::NewInterpolated(
   vtkAbstractArray* in, vtkIdType number)
 {
   vtkSmartPointer<vtkAbstractArray> out;
-  out.TakeReference(vtkDataArray::SafeDownCast(in)
-      ? vtkDataArray::CreateDataArray(GetInterpolatedType(in->GetDataType()))
-      : in->NewInstance());
+  vtkDataArray* numbers = vtkDataArray::SafeDownCast(in)
+    ? vtkDataArray::CreateDataArray(GetInterpolatedType(in->GetDataType()))
+    : nullptr;
+  out.TakeReference(numbers ? numbers : in->NewInstance());
   out->SetNumberOfComponents(in->GetNumberOfComponents());
-  out->SetNumberOfTuples(number);
+  if (numbers)
+  {
+    ExtractionMemory::SetNumberOfTuples(numbers, number);
+  }
+  else
+  {
+    out->SetNumberOfTuples(number);
+  }
   return out;
 }
 
@@ -352,8 +360,7 @@ vtkSmartPointer<vtkPoints> ExtractionArrays::MakePoints(
 {
   vtkSmartPointer<vtkPoints> made =
     vtkSmartPointer<vtkPoints>::Take(vtkPoints::New(ChoosePointType(input, precision)));
-  made->SetNumberOfPoints(static_cast<vtkIdType>(points.GetSize()));
-  ExtractionMemory::PreferLargePages(made->GetData());
+  ExtractionMemory::SetNumberOfTuples(made->GetData(), static_cast<vtkIdType>(points.GetSize()));
   if (vtkPointSet* pointSet = vtkPointSet::SafeDownCast(input))
   {
     vtkDataArray* coordinates = pointSet->GetPoints()->GetData();
@@ -393,9 +400,8 @@ int ExtractionArrays::InterpolatePointData(vtkPointData* first, vtkPointData* se
       NewInterpolated(in, static_cast<vtkIdType>(points.GetSize()));
     if (numbers)
     {
-      vtkDataArray* made = vtkDataArray::SafeDownCast(out);
-      ExtractionMemory::PreferLargePages(made);
-      InterpolateArray(numbers, vtkDataArray::SafeDownCast(inSecond), split, points, made);
+      InterpolateArray(numbers, vtkDataArray::SafeDownCast(inSecond), split, points,
+        vtkDataArray::SafeDownCast(out));
     }
     else
     {
@@ -427,8 +433,15 @@ int ExtractionArrays::CopyCellData(
     vtkSmartPointer<vtkAbstractArray> out;
     out.TakeReference(in->NewInstance());
     out->SetNumberOfComponents(in->GetNumberOfComponents());
-    out->SetNumberOfTuples(number);
     vtkDataArray* numbers = vtkDataArray::SafeDownCast(in);
+    if (numbers)
+    {
+      ExtractionMemory::SetNumberOfTuples(vtkDataArray::SafeDownCast(out), number);
+    }
+    else
+    {
+      out->SetNumberOfTuples(number);
+    }
     if (!numbers ||
       !vtkArrayDispatch::Dispatch::Execute(numbers, worker, vtkDataArray::SafeDownCast(out)))
     {

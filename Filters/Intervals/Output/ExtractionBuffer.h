@@ -3,9 +3,11 @@
 #define interlume_ExtractionBuffer_h
 
 #include "Output/ExtractionMemory.h"
+#include "Output/KeptMemory.h"
 
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -26,8 +28,28 @@ class ExtractionBuffer
   static_assert(std::is_trivially_destructible<T>::value, "values are not destroyed");
 
 public:
-  void Allocate(std::size_t number) { this->Take(std::malloc(GetBytes(number)), number); }
-  void AllocateZeros(std::size_t number) { this->Take(std::calloc(GetBytes(number), 1), number); }
+  void Allocate(std::size_t number)
+  {
+    if (void* kept = KeptMemory::Take(GetBytes(number)))
+    {
+      this->Hold(kept, number, KeptMemory::Give);
+    }
+    else
+    {
+      this->Take(std::malloc(GetBytes(number)), number);
+    }
+  }
+  void AllocateZeros(std::size_t number)
+  {
+    if (void* kept = KeptMemory::Take(GetBytes(number)))
+    {
+      this->Hold(std::memset(kept, 0, GetBytes(number)), number, KeptMemory::Give);
+    }
+    else
+    {
+      this->Take(std::calloc(GetBytes(number), 1), number);
+    }
+  }
   void Free()
   {
     this->Values.reset();
@@ -46,7 +68,9 @@ public:
 private:
   struct Deleter
   {
-    void operator()(T* values) const { std::free(values); }
+    void (*Free)(void*) = std::free;
+
+    void operator()(T* values) const { this->Free(values); }
   };
 
   // There is room for at least one value, since an allocation of none may give null.
@@ -59,7 +83,12 @@ private:
       throw std::bad_alloc();
     }
     ExtractionMemory::PreferLargePages(memory, number * sizeof(T));
-    this->Values.reset(static_cast<T*>(memory));
+    this->Hold(memory, number, std::free);
+  }
+
+  void Hold(void* memory, std::size_t number, void (*free)(void*))
+  {
+    this->Values = std::unique_ptr<T, Deleter>(static_cast<T*>(memory), Deleter{ free });
     this->Size = number;
   }
 

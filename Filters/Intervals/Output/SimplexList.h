@@ -61,8 +61,7 @@ public:
     {
       using Array = std::decay_t<decltype(*values)>;
       values = vtkSmartPointer<Array>::New();
-      values->SetNumberOfValues(ids);
-      ExtractionMemory::PreferLargePages(values);
+      ExtractionMemory::SetNumberOfTuples(values, ids);
       if (wholeCells > 0)
       {
         offsets = this->NewOffsets<Array>();
@@ -77,6 +76,7 @@ public:
     {
       allocate(this->Wide, this->WideOffsets);
     }
+    this->FindIds();
   }
 
   vtkIdType GetNumber() const { return this->Number; }
@@ -137,6 +137,22 @@ public:
       });
   }
 
+  /// Writes \a number simplices from the first on, which are those before them with each id one
+  /// more.
+  void WriteNext(vtkIdType first, std::size_t number)
+  {
+    this->Visit(
+      [&](auto* values)
+      {
+        const vtkIdType ids = static_cast<vtkIdType>(number) * this->Size;
+        auto* const out = values + first * this->Size;
+        for (vtkIdType at = 0; at < ids; ++at)
+        {
+          out[at] = out[at - ids] + 1;
+        }
+      });
+  }
+
   /// Writes one simplex.
   void Write(vtkIdType simplex, const vtkIdType* points)
   {
@@ -167,11 +183,38 @@ public:
       });
   }
 
-  /// Puts a simplex in the place of another.
-  void Move(vtkIdType from, vtkIdType to)
+  /// Puts \a number simplices in places before theirs.
+  void Move(vtkIdType from, vtkIdType to, vtkIdType number)
   {
     this->Visit([&](auto* values)
-      { std::copy_n(values + from * this->Size, this->Size, values + to * this->Size); });
+      { std::copy_n(values + from * this->Size, number * this->Size, values + to * this->Size); });
+  }
+
+  /// Calls \a visit(ids) with the ids of all cells, in the type they are stored in.
+  template <typename Visitor>
+  void Visit(Visitor&& visit)
+  {
+    if (this->Narrow)
+    {
+      visit(this->NarrowIds);
+    }
+    else if (this->Wide)
+    {
+      visit(this->WideIds);
+    }
+  }
+
+  /// Calls \a visit(id) for the points of all cells, by any number of threads.
+  template <typename Visitor>
+  void ForEachId(Visitor&& visit)
+  {
+    this->Visit(
+      [&](auto* values)
+      {
+        vtkSMPTools::For(0, this->GetNumberOfIds(),
+          [values, &visit](vtkIdType first, vtkIdType last)
+          { std::for_each(values + first, values + last, visit); });
+      });
   }
 
   /// Forgets all but the first \a number simplices; the whole cells follow these.
@@ -231,7 +274,8 @@ public:
     this->Visit(
       [&](auto* values)
       {
-        std::vector<std::decay_t<decltype(*values)>> newIds(numberOfPoints);
+        ExtractionBuffer<std::decay_t<decltype(*values)>> newIds;
+        newIds.Allocate(numberOfPoints);
         vtkIdType kept = 0;
         for (vtkIdType p = 0; p < numberOfPoints; ++p)
         {
@@ -240,11 +284,11 @@ public:
           kept += marks[p] != 0;
         }
         vtkSMPTools::For(0, this->GetNumberOfIds(), ThreadGrain,
-          [values, &newIds](vtkIdType first, vtkIdType last)
+          [values, ids = newIds.GetData()](vtkIdType first, vtkIdType last)
           {
             for (vtkIdType i = first; i < last; ++i)
             {
-              values[i] = newIds[values[i]];
+              values[i] = ids[values[i]];
             }
           });
       });
@@ -282,17 +326,11 @@ public:
   }
 
 private:
-  template <typename Visitor>
-  void Visit(Visitor&& visit)
+  // Asks the arrays for their values once, since simplices are written one by one.
+  void FindIds()
   {
-    if (this->Narrow)
-    {
-      visit(this->Narrow->GetPointer(0));
-    }
-    else if (this->Wide)
-    {
-      visit(this->Wide->GetPointer(0));
-    }
+    this->NarrowIds = this->Narrow ? this->Narrow->GetPointer(0) : nullptr;
+    this->WideIds = this->Wide ? this->Wide->GetPointer(0) : nullptr;
   }
 
   // Gives up the room after the last cell, whose ids end at \a ids.
@@ -302,13 +340,14 @@ private:
     {
       if (array)
       {
-        array->SetNumberOfValues(size);
+        ExtractionMemory::Shorten(array, size);
       }
     };
     shorten(this->Narrow, ids);
     shorten(this->Wide, ids);
     shorten(this->NarrowOffsets, this->Number + this->NumberOfWhole + 1);
     shorten(this->WideOffsets, this->Number + this->NumberOfWhole + 1);
+    this->FindIds();
   }
 
   // Visits the ids and the offsets, where there are whole cells.
@@ -351,8 +390,7 @@ private:
   vtkSmartPointer<Array> NewOffsets() const
   {
     auto offsets = vtkSmartPointer<Array>::New();
-    offsets->SetNumberOfValues(this->Number + this->NumberOfWhole + 1);
-    ExtractionMemory::PreferLargePages(offsets);
+    ExtractionMemory::SetNumberOfTuples(offsets, this->Number + this->NumberOfWhole + 1);
     return offsets;
   }
 
@@ -380,6 +418,9 @@ private:
   vtkIdType NumberOfWhole = 0;
   vtkSmartPointer<vtkTypeInt32Array> Narrow;
   vtkSmartPointer<vtkTypeInt64Array> Wide;
+  // The values of the one that is there.
+  vtkTypeInt32* NarrowIds = nullptr;
+  vtkTypeInt64* WideIds = nullptr;
   // The offsets of all cells, where there are whole cells; else null.
   vtkSmartPointer<vtkTypeInt32Array> NarrowOffsets;
   vtkSmartPointer<vtkTypeInt64Array> WideOffsets;

@@ -24,25 +24,28 @@ using Triple = std::array<vtkIdType, 3>;
 // Faces of a tetrahedron, counterclockwise from outside, by the vertex they leave out.
 constexpr int FacesOutward[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
 
-// Leaves out the simplices that are marked.
-void RemoveSimplices(ExtractionMesh& mesh, const std::vector<bool>& isRemoved)
+// Leaves out some simplices, whose places increase.
+void RemoveSimplices(ExtractionMesh& mesh, const std::vector<vtkIdType>& removed)
 {
   const vtkIdType number = mesh.Simplices.GetNumber();
   // Those before the first one stay where they are.
-  vtkIdType kept = static_cast<vtkIdType>(
-    std::find(isRemoved.begin(), isRemoved.begin() + number, true) - isRemoved.begin());
-  for (vtkIdType simplex = kept; simplex < number; ++simplex)
+  vtkIdType kept = removed.empty() ? number : removed.front();
+  int* const items = mesh.ItemIds->GetPointer(0);
+  for (std::size_t r = 0; r < removed.size(); ++r)
   {
-    if (!isRemoved[simplex])
+    const vtkIdType first = removed[r] + 1;
+    const vtkIdType last = r + 1 < removed.size() ? removed[r + 1] : number;
+    mesh.Simplices.Move(first, kept, last - first);
+    if (mesh.HasSeveralItems)
     {
-      mesh.Simplices.Move(simplex, kept);
-      mesh.ItemIds->SetValue(kept, mesh.ItemIds->GetValue(simplex));
-      if (mesh.CellIds.GetSize() > 0)
-      {
-        mesh.CellIds[kept] = mesh.CellIds[simplex];
-      }
-      ++kept;
+      std::copy(items + first, items + last, items + kept);
     }
+    if (mesh.CellIds.GetSize() > 0)
+    {
+      vtkIdType* const cells = mesh.CellIds.GetData();
+      std::copy(cells + first, cells + last, cells + kept);
+    }
+    kept += last - first;
   }
   mesh.TruncateSimplices(kept);
 }
@@ -68,7 +71,7 @@ void RemoveWhole(ExtractionMesh& mesh, const std::vector<bool>& isRemoved, vtkId
     }
   }
   mesh.Simplices.RemoveWhole(isRemoved);
-  mesh.ItemIds->SetNumberOfValues(kept);
+  ExtractionMemory::Shorten(mesh.ItemIds, kept);
   mesh.WholeTypes.Truncate(kept - simplices);
   mesh.CellIds.Truncate(mesh.CellIds.GetSize() > 0 ? kept : 0);
   for (vtkIdType& whole : mesh.TriangleWholes)
@@ -112,15 +115,9 @@ void RemoveTriangles(ExtractionMesh& mesh, const std::vector<bool>& isRemoved)
 void MarkUsed(ExtractionMesh& mesh)
 {
   mesh.Used.AllocateZeros(mesh.Points.GetSize());
-  const auto use = [&mesh](vtkIdType id) { mesh.Used[id].store(1, std::memory_order_relaxed); };
-  vtkSMPTools::For(0, mesh.Simplices.GetNumberOfIds(),
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType at = first; at < last; ++at)
-      {
-        use(mesh.Simplices.GetIdAt(at));
-      }
-    });
+  const auto use = [used = mesh.Used.GetData()](vtkIdType id)
+  { used[id].store(1, std::memory_order_relaxed); };
+  mesh.Simplices.ForEachId(use);
   for (const Triple& triangle : mesh.Triangles)
   {
     std::for_each(triangle.begin(), triangle.end(), use);
@@ -198,17 +195,13 @@ void ExtractionCleanup::RemoveOppositeSimplices(ExtractionMesh& mesh, int size)
     entry.IsOdd = OppositePairs::Sort(entry.Key.data() + 1, size);
     entries.push_back(entry);
   }
-  const vtkIdType number = mesh.Simplices.GetNumber();
-  std::vector<bool> isRemoved;
-  OppositePairs::Find(entries,
-    [&](std::size_t place)
-    {
-      isRemoved.resize(number, false);
-      isRemoved[place] = true;
-    });
-  if (!isRemoved.empty())
+  std::vector<vtkIdType> removed;
+  OppositePairs::Find(
+    entries, [&](std::size_t place) { removed.push_back(static_cast<vtkIdType>(place)); });
+  if (!removed.empty())
   {
-    RemoveSimplices(mesh, isRemoved);
+    std::sort(removed.begin(), removed.end());
+    RemoveSimplices(mesh, removed);
     MarkUsed(mesh);
   }
 }
@@ -218,11 +211,19 @@ void ExtractionCleanup::RemoveMarked(
 {
   RemoveTriangles(mesh, triangles);
   const vtkIdType simplices = mesh.Simplices.GetNumber();
-  const vtkIdType simplicesGone = std::count(cells.begin(), cells.begin() + simplices, true);
-  RemoveSimplices(mesh, cells);
+  std::vector<vtkIdType> removed;
+  for (vtkIdType simplex = 0; simplex < simplices; ++simplex)
+  {
+    if (cells[simplex])
+    {
+      removed.push_back(simplex);
+    }
+  }
+  RemoveSimplices(mesh, removed);
   if (mesh.Simplices.GetNumberOfWhole() > 0)
   {
-    RemoveWhole(mesh, { cells.begin() + simplices, cells.end() }, simplicesGone);
+    RemoveWhole(
+      mesh, { cells.begin() + simplices, cells.end() }, static_cast<vtkIdType>(removed.size()));
   }
   MarkUsed(mesh);
 }

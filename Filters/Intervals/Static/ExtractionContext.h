@@ -70,8 +70,7 @@ struct ExtractionMesh
     this->Simplices.Allocate(
       simplices, size, static_cast<vtkIdType>(this->Points.GetSize()), wholeCells, wholeIds);
     const vtkIdType cells = simplices + wholeCells;
-    this->ItemIds->SetNumberOfValues(cells);
-    ExtractionMemory::PreferLargePages(this->ItemIds);
+    ExtractionMemory::SetNumberOfTuples(this->ItemIds, cells);
     if (!this->HasSeveralItems)
     {
       int* const items = this->ItemIds->GetPointer(0);
@@ -121,7 +120,7 @@ struct ExtractionMesh
     const vtkIdType whole = this->Simplices.GetNumberOfWhole();
     std::copy_n(
       this->ItemIds->GetPointer(0) + before, whole, this->ItemIds->GetPointer(0) + number);
-    this->ItemIds->SetNumberOfValues(number + whole);
+    ExtractionMemory::Shorten(this->ItemIds, number + whole);
     if (this->CellIds.GetSize() > 0)
     {
       std::copy_n(this->CellIds.GetData() + before, whole, this->CellIds.GetData() + number);

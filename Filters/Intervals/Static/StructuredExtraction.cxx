@@ -782,9 +782,18 @@ private:
     }
   }
 
+  // The cell inside of an interval that was written last in a row.
+  struct CellInside
+  {
+    vtkIdType Column = -1;
+    vtkIdType Corners[8] = {};
+    bool IsInverted = false;
+  };
+
   template <bool Write>
   void ProcessItem(Local& local, const Around& around, int item, RowCount& place)
   {
+    CellInside inside;
     const auto& what = this->Values.GetItems()[item];
     this->FillKeys(local, around, what);
     const Code last = static_cast<Code>(this->Table.GetNumberOfCases() - 1);
@@ -815,7 +824,11 @@ private:
         const RowCount before = place;
         const bool isTied = hasTies && this->HasTiedPoints(around, i, what.IsFlat) &&
           this->ProcessTies<Write>(local, around, i, item, found, place);
-        if (!isTied && Write)
+        if (!isTied && Write && key == this->KeyInside)
+        {
+          this->WriteInside(around, i, item, found, inside, place);
+        }
+        else if (!isTied && Write)
         {
           this->WriteCell(around, i, item, found, place);
         }
@@ -949,6 +962,36 @@ private:
     {
       this->WriteTriangle(around, i, item, found.Boundary[t], ids, isInverted, place);
     }
+  }
+
+  // Writes a cell inside of an interval. Along a row of such cells each point's id is mostly one
+  // more than that of the cell before, and so are those of the simplices.
+  void WriteInside(const Around& around, vtkIdType i, int item, const vtkIsotable::Case& found,
+    CellInside& before, RowCount& place)
+  {
+    const bool isInverted = this->IsInverted(around, i);
+    bool isNext = before.Column + 1 == i && before.IsInverted == isInverted;
+    for (int v = 0; v < 8; ++v)
+    {
+      const vtkIdType id = around.Slots[v].First + around.Slots[v].Starts[i];
+      isNext &= id == before.Corners[v] + 1;
+      before.Corners[v] = id;
+    }
+    before.Column = i;
+    before.IsInverted = isInverted;
+    const std::size_t number = found.Simplices.size();
+    this->Use(found.Slots.data(), found.Slots.size(), before.Corners);
+    if (isNext)
+    {
+      this->Mesh.Simplices.WriteNext(place.Simplices, number);
+    }
+    else
+    {
+      this->Mesh.Simplices.Write(
+        place.Simplices, found.Simplices.data(), number, before.Corners, isInverted);
+    }
+    this->Mesh.NoteSimplices(place.Simplices, number, item, around.FirstCell + i);
+    place.Simplices += static_cast<vtkIdType>(number);
   }
 
   void WriteTriangle(const Around& around, vtkIdType i, int item,

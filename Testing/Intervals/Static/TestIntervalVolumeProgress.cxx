@@ -23,7 +23,7 @@ void CheckPrint(Check& check)
   const std::vector<std::string> report = { "Cells", "CellsVisited", "CellsWithOutput",
     "LowerDimensionalCells", "NonFiniteCells", "BlankedCells", "LinearizedCells",
     "ConcavePolyhedra", "UnsupportedCells", "CollapsedSimplices", "WholeCells", "WarpedFaces",
-    "ArraysInterpolated", "ArraysCopied", "Passes", "WorkingBytes" };
+    "ArraysInterpolated", "ArraysCopied", "Passes", "WorkingBytes", "ReusedBytes", "IdleBytes" };
   vtkNew<vtkIntervalVolume> volume;
   volume->SetInterval(0, 1.25, 2.5);
   volume->SetInterval(1, 3.125, 4.75);
@@ -31,8 +31,8 @@ void CheckPrint(Check& check)
   const std::string volumeText = Print(volume);
   CheckPrinted(volumeText, report, check);
   CheckPrinted(volumeText,
-    { "GenerateBoundaries", "KeepWholeCells", "OutputPointsPrecision", "UseValueIndex", "1.25",
-      "2.5", "3.125", "4.75", "density", "17.5", "18.25" },
+    { "GenerateBoundaries", "KeepWholeCells", "OutputPointsPrecision", "UseValueIndex",
+      "KeepMemory", "1.25", "2.5", "3.125", "4.75", "density", "17.5", "18.25" },
     check);
   vtkNew<vtkIsotableContour> contour;
   contour->SetValue(0, 6.375);
