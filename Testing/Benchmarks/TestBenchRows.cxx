@@ -76,7 +76,8 @@ void CheckMethods(const nlohmann::json& rows)
   const std::map<std::string, std::set<std::string>> wanted = {
     { "interval",
       { "interval-volume clip2", "interval-volume clip2-tetrahedra", "threads-2 threads-1",
-        "re-extract all-cells", "memory", "cold warm", "inverted", "hexahedra clip2",
+        "re-extract all-cells", "drag new-memory", "drag copy", "drag-tied new-memory",
+        "drag-tied copy", "memory", "cold warm", "inverted", "hexahedra clip2",
         "hexahedra-unstructured clip2", "tetrahedra-5 clip2", "tetrahedra-6 clip2",
         "tetrahedra-24 clip2", "clip2" } },
     { "contour",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Data/BenchData.h"
+#include "Benchmarks/Intervals/IntervalDrag.h"
 #include "Benchmarks/Intervals/IntervalError.h"
 #include "Benchmarks/Intervals/IntervalMemory.h"
 #include "Benchmarks/Intervals/IntervalOrientation.h"
@@ -49,6 +50,13 @@ std::vector<std::string> SuiteInterval::GetDescription() const
     "value ranges against a pass over all cells, in the middle of the range of values, where it "
     "passes through most of the domain, and at its end. The parameter is the interval's width as a "
     "share of the range of values; share is the share of cells with output.",
+    "drag, drag-tied: the lower bound of an interval up to the end of the range goes on by a two "
+    "hundredth of the range, low, in the middle and high in it, with KeepMemory, against without "
+    "(new-memory) and against a copy of as many bytes as the output has, between memory that is "
+    "there (copy). Bounds equal no value of the data, or, drag-tied, are whole numbers, as the "
+    "data "
+    "are. changed is the number of cells that the bound passes through between two updates, share "
+    "their share.",
     "whole-cells: the same with KeepWholeCells, against without (tetrahedra) and against clip2, "
     "which "
     "keeps whole cells too; output_kib is the size of the output, growth_kib by how much the "
@@ -72,6 +80,7 @@ void SuiteInterval::Run(const BenchOptions& options, BenchRows& rows) const
   interval::AddSpeedRows(options, rows);
   interval::AddThreadRows(options, rows);
   interval::AddReExtractionRows(options, rows);
+  interval::AddDragRows(options, rows);
   interval::AddWholeRows(
     options,
     [&](const std::string& task)
@@ -154,11 +163,20 @@ std::vector<BenchClaim> SuiteInterval::CheckClaims(const std::vector<BenchRow>& 
 {
   auto secondThread = [](const BenchRow& row)
   { return row.Method == "threads-2" ? row.GetRatio() : std::nullopt; };
+  auto dragged = [](const BenchRow& row)
+  {
+    const bool counts = row.Method.rfind("drag", 0) == 0 && row.Peer == "copy" &&
+      row.Counts.value("threads", 1) > 1 && row.Counts.value("share", 1.0) < 0.1;
+    return counts ? std::optional<double>(*row.Seconds) : std::nullopt;
+  };
   return { BenchClaim::AtLeast("1 thread, at least 3 times faster than clip2", 3.0, rows,
              RatioWithOneThread("interval-volume", "clip2")),
     BenchClaim::AtLeast("1 thread, at least 40 times faster than clip2-tetrahedra", 40.0, rows,
       RatioWithOneThread("interval-volume", "clip2-tetrahedra")),
     BenchClaim::AtLeast("a second thread gives at least 1.7", 1.7, rows, secondThread),
+    BenchClaim::AtMost("2 threads, a dragged bound, where less than a tenth of the cells changes: "
+                       "at most 0.1 s an update",
+      0.1, rows, dragged),
     BenchClaim::AtMost("peak memory at most the input and 1.5 times the output", 1.5, rows,
       CountOf("memory", "peak_share")) };
 }

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmarks/Intervals/IntervalDrag.h"
+
+#include "Benchmarks/Data/BenchData.h"
+#include "Benchmarks/Intervals/ExtractionMethods.h"
+#include "Benchmarks/Measures/BenchTiming.h"
+#include "Inputs/DataFiles.h"
+
+#include "vtkIntervalVolume.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkImageResample.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace interval
+{
+namespace
+{
+/// Where in the range of values a bound is dragged.
+struct DragPlace
+{
+  const char* Name;
+  double Share;
+};
+
+constexpr DragPlace Places[] = { { "low", 0.1 }, { "middle", 0.5 }, { "high", 0.9 } };
+
+struct DragCase
+{
+  std::string Name;
+  vtkSmartPointer<vtkImageData> Image;
+};
+
+/// CT of 256^3 points: the bonsai as it is, the head by linear interpolation.
+std::vector<DragCase> MakeCases(const BenchOptions& options)
+{
+  if (options.Size != BenchOptions::FULL)
+  {
+    const BenchData wavelet = MakeWavelet(WaveletPoints(options));
+    return { { wavelet.Case, vtkImageData::SafeDownCast(wavelet.Data) } };
+  }
+  std::vector<DragCase> cases;
+  cases.push_back({ "bonsai",
+    vtkImageData::SafeDownCast(WithOneArray(interlume::ReadData("bonsai.vti"), "ImageFile")) });
+  const auto head = WithOneArray(interlume::ReadData("headsq_quarter.vti"), "density");
+  int dimensions[3];
+  vtkImageData::SafeDownCast(head)->GetDimensions(dimensions);
+  vtkNew<vtkImageResample> resample;
+  resample->SetInputData(head);
+  resample->SetInterpolationModeToLinear();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    resample->SetAxisMagnificationFactor(axis, 256.0 / dimensions[axis]);
+  }
+  resample->Update();
+  cases.push_back({ "head-ct-256", resample->GetOutput() });
+  return cases;
+}
+
+/// The number of cells that have values on both sides of [first, second], or between.
+vtkIdType CountCells(vtkImageData* image, double first, double second)
+{
+  int dimensions[3];
+  image->GetDimensions(dimensions);
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  const vtkIdType row = dimensions[0];
+  const vtkIdType layer = row * dimensions[1];
+  // -1 below, 1 above, 0 between.
+  std::vector<signed char> sides(scalars->GetNumberOfTuples());
+  for (std::size_t i = 0; i < sides.size(); ++i)
+  {
+    const double value = scalars->GetComponent(static_cast<vtkIdType>(i), 0);
+    sides[i] = static_cast<signed char>((value > second) - (value < first));
+  }
+  vtkIdType number = 0;
+  for (int k = 0; k + 1 < dimensions[2]; ++k)
+  {
+    for (int j = 0; j + 1 < dimensions[1]; ++j)
+    {
+      for (int i = 0; i + 1 < dimensions[0]; ++i)
+      {
+        const signed char* corner = sides.data() + k * layer + j * row + i;
+        int least = 1;
+        int greatest = -1;
+        for (const vtkIdType step : { vtkIdType(0), row, layer, layer + row })
+        {
+          least = std::min<int>({ least, corner[step], corner[step + 1] });
+          greatest = std::max<int>({ greatest, corner[step], corner[step + 1] });
+        }
+        number += least <= 0 && greatest >= 0;
+      }
+    }
+  }
+  return number;
+}
+
+/// A filter whose lower bound goes up and down by the same step.
+class Drag
+{
+public:
+  Drag(vtkImageData* image, double first, double step, double upper, bool keepsMemory)
+    : Filter(methods::NewIntervalVolume(image, first, upper))
+    , First(first)
+    , Step(step)
+    , Upper(upper)
+  {
+    this->Filter->SetKeepMemory(keepsMemory);
+    this->Filter->Update();
+  }
+
+  vtkSmartPointer<vtkObjectBase> Move()
+  {
+    constexpr int turns[] = { 1, 2, 3, 2, 1, 0 };
+    this->Filter->SetInterval(0, this->First + this->Step * turns[this->Run++ % 6], this->Upper);
+    this->Filter->Update();
+    return this->Filter->GetOutput();
+  }
+
+  vtkSmartPointer<vtkIntervalVolume> Filter;
+
+private:
+  double First;
+  double Step;
+  double Upper;
+  int Run = 0;
+};
+
+/// Copies the bytes of an output by all threads.
+class Copy
+{
+public:
+  explicit Copy(std::size_t bytes)
+    : From(bytes, 1)
+    , To(bytes, 2)
+  {
+  }
+
+  void Run()
+  {
+    constexpr std::size_t piece = std::size_t(1) << 20;
+    const std::size_t bytes = this->From.size();
+    vtkSMPTools::For(0, static_cast<vtkIdType>((bytes + piece - 1) / piece),
+      [&](vtkIdType first, vtkIdType last)
+      {
+        const std::size_t begin = static_cast<std::size_t>(first) * piece;
+        const std::size_t end = std::min(static_cast<std::size_t>(last) * piece, bytes);
+        std::memcpy(this->To.data() + begin, this->From.data() + begin, end - begin);
+      });
+  }
+
+private:
+  std::vector<char> From;
+  std::vector<char> To;
+};
+
+void AddDragRow(const DragCase& one, const DragPlace& place, bool isTied, int threads,
+  const BenchOptions& options, BenchRows& rows)
+{
+  double range[2];
+  one.Image->GetPointData()->GetScalars()->GetRange(range);
+  const double length = range[1] - range[0];
+  const double at = std::floor(range[0] + place.Share * length);
+  const double first = isTied ? at : at + 0.4;
+  const double step = isTied ? std::max(std::floor(length / 200), 1.0) : length / 200;
+  const double upper = isTied ? range[1] : range[1] + 0.5;
+  Drag kept(one.Image, first, step, upper, true);
+  Drag plain(one.Image, first, step, upper, false);
+  const std::size_t kib = kept.Filter->GetOutput()->GetActualMemorySize();
+  Copy copy(1024 * kib);
+  const std::vector<BenchSeconds> seconds =
+    MeasureAlternately({ WithThreads(threads, [&]() { return kept.Move(); }),
+                         WithThreads(threads, [&]() { return plain.Move(); }),
+                         WithThreads(threads,
+                           [&]()
+                           {
+                             copy.Run();
+                             return vtkSmartPointer<vtkObjectBase>();
+                           }) },
+      options.GetRepeats());
+
+  const vtkExtractionReport& report = kept.Filter->GetReport();
+  const vtkIdType changed = CountCells(one.Image, first + step, first + 2 * step);
+  BenchRow row = rows.Make(one.Name + "-" + place.Name, isTied ? "drag-tied" : "drag");
+  row.Parameter = ThreadsParameter(threads);
+  row.Seconds = seconds[0];
+  row.Counts["threads"] = threads;
+  row.Counts["cells"] = report.Cells;
+  row.Counts["changed"] = changed;
+  row.Counts["share"] = static_cast<double>(changed) / static_cast<double>(report.Cells);
+  row.Counts["with_output"] = report.CellsWithOutput;
+  row.Counts["tetrahedra"] = kept.Filter->GetOutput()->GetNumberOfCells();
+  row.Counts["output_kib"] = kib;
+  row.Counts["reused_kib"] = report.ReusedBytes / 1024;
+  row.Counts["idle_kib"] = report.IdleBytes / 1024;
+  const std::pair<const char*, BenchSeconds> peers[] = { { "new-memory", seconds[1] },
+    { "copy", seconds[2] } };
+  for (const auto& peer : peers)
+  {
+    row.Peer = peer.first;
+    row.PeerSeconds = peer.second;
+    rows.Add(row);
+  }
+}
+}
+
+void AddDragRows(const BenchOptions& options, BenchRows& rows)
+{
+  for (const DragCase& one : MakeCases(options))
+  {
+    for (const DragPlace& place : Places)
+    {
+      for (const int threads : options.GetThreadCounts())
+      {
+        for (const bool isTied : { false, true })
+        {
+          AddDragRow(one, place, isTied, threads, options, rows);
+        }
+      }
+    }
+  }
+}
+}
