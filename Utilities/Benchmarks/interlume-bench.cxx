@@ -91,13 +91,20 @@ const BenchSuite& Find(const Suites& suites, const std::string& name)
     suites.begin(), suites.end(), [&name](const auto& suite) { return suite->GetName() == name; });
 }
 
+/// What stands under every plot.
+std::string CaptionOf(const BenchResults& results)
+{
+  return MachineInOneLine(results.Machine, results.Vtk) + "\n" +
+    ConditionsInOneLine(results.Conditions);
+}
+
 void WriteReport(const Suites& suites, const Arguments& arguments)
 {
   // First, since it fails where there are none, and the suites take long.
   const std::vector<StabilityCase> cases = StabilityCatalogue::Gather(arguments.Stability);
   BenchResults results = arguments.From.empty() ? BenchResults::Here(arguments.Options)
                                                 : BenchResults::Read(arguments.From);
-  const PlotDrawer drawer(arguments.Out, MachineInOneLine(results.Machine, results.Vtk));
+  const PlotDrawer drawer(arguments.Out, CaptionOf(results));
   if (arguments.From.empty())
   {
     for (const auto& suite : suites)
@@ -125,8 +132,7 @@ void RunSuites(const Suites& suites, const Arguments& arguments)
   std::unique_ptr<PlotDrawer> drawer;
   if (!arguments.Plots.empty())
   {
-    drawer =
-      std::make_unique<PlotDrawer>(arguments.Plots, MachineInOneLine(results.Machine, results.Vtk));
+    drawer = std::make_unique<PlotDrawer>(arguments.Plots, CaptionOf(results));
   }
   for (const std::string& name : arguments.Suites)
   {

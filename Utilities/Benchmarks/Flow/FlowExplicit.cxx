@@ -200,15 +200,16 @@ BenchPlot& FindPlot(const BenchRow& row, bool isBoundary, std::vector<BenchPlot>
   {
     return *found;
   }
-  BenchPlot plot;
-  plot.Name = name;
-  plot.Title = "Stream volume, " + row.Case + ", 1 thread";
-  plot.XLabel = "run time (s)";
-  plot.YLabel =
-    isBoundary ? "boundary, rms distance (unit of length)" : "misplaced volume / volume";
-  plot.LogX = true;
-  plot.LogY = true;
-  plots.push_back(plot);
+  plots.push_back(
+    BenchPlot::OfErrors(name, "Stream volume, " + row.Case + ", 1 thread", "run time (s)",
+      isBoundary ? "boundary, rms distance (unit of length)" : "misplaced volume / volume"));
+  plots.back().Question = std::string("How fine are samples to be for the ") +
+    (isBoundary ? "boundary" : "volume") + " of the stream volume " + row.Case + "?";
+  plots.back().Conditions =
+    "Implicit by samples along an edge, cells refined or not, once and again on a field that is "
+    "there; explicit, the peer, by rings of streamlines, halved where they part or not. Ringed: "
+    "the "
+    "finest samples without refinement.";
   return plots.back();
 }
 }
@@ -250,9 +251,13 @@ std::vector<BenchPlot> MakeExplicitPlots(const std::vector<BenchRow>& rows)
     const bool isPeer = row.Method == Explicit || row.Method == Halved;
     if (isPeer || row.Method == Implicit || row.Method == Again || row.Method == Refined)
     {
-      FindPlot(row, false, plots).AddPoint(row.Method, isPeer, *row.Seconds, *row.Error);
-      FindPlot(row, true, plots)
-        .AddPoint(row.Method, isPeer, *row.Seconds, row.Counts[BoundaryCount].get<double>());
+      for (const bool isBoundary : { false, true })
+      {
+        const double error = isBoundary ? row.Counts[BoundaryCount].get<double>() : *row.Error;
+        BenchPlot& plot = FindPlot(row, isBoundary, plots);
+        plot.AddPoint(row.Method, isPeer, *row.Seconds, error, row.GetParameterText());
+        plot.SetDefault(Implicit);
+      }
     }
   }
   return plots;

@@ -304,21 +304,19 @@ std::vector<BenchPlot> MakeSpeedPlots(const std::vector<BenchRow>& rows)
     if (plots.empty() ||
       plots.back().Title != "Streamlines of ABC flow, " + row.Case + ", 1 thread")
     {
-      BenchPlot plot;
-      plot.Name = "flow-error-" + row.Case;
-      plot.Title = "Streamlines of ABC flow, " + row.Case + ", 1 thread";
-      plot.XLabel = "run time (s)";
-      plot.YLabel = "mean distance from the streamline";
-      plot.LogX = true;
-      plot.LogY = true;
-      plots.push_back(plot);
+      plots.push_back(BenchPlot::OfErrors("flow-error-" + row.Case,
+        "Streamlines of ABC flow, " + row.Case + ", 1 thread", "run time (s)",
+        "mean distance from the streamline"));
+      plots.back().Question = "Which tolerance for streamlines on " + row.Case + "?";
+      plots.back().Conditions =
+        "vtkImplicitFlowField by tolerance over the largest speed, vtkStreamTracer by its steps "
+        "and tolerances; ends against streamlines of the interpolation in double precision.";
     }
-    plots.back().AddPoint(
-      isOwn ? row.Method : std::string(Peer) + " " + row.Method, !isOwn, *row.Seconds, *row.Error);
+    plots.back().AddPoint(isOwn ? row.Method : std::string(Peer) + " " + row.Method, !isOwn,
+      *row.Seconds, *row.Error, row.GetParameterText());
     if (isOwn && row.Parameter.get<double>() == DefaultTolerance)
     {
-      plots.back().DefaultPoints.X = { *row.Seconds };
-      plots.back().DefaultPoints.Y = { *row.Error };
+      plots.back().SetDefault(row.Method, row.GetParameterText());
     }
   }
   return plots;

@@ -188,26 +188,25 @@ void AddPoint(const BenchRow& row, bool isOwn, bool isTime, std::vector<BenchPlo
     plots.begin(), plots.end(), [&name](const BenchPlot& other) { return other.Name == name; });
   if (plot == plots.end())
   {
-    BenchPlot fresh;
-    fresh.Name = name;
-    fresh.Title =
-      (isTime ? "Time at the end, " : "Place (u,v) of the end, ") + row.Case + ", 1 thread";
-    fresh.XLabel = "run time (s)";
-    fresh.YLabel = isTime ? "mean error of the time (unit of time)"
-                          : "mean distance from the streamline (unit of length)";
-    fresh.LogX = true;
-    fresh.LogY = true;
+    BenchPlot fresh = BenchPlot::OfErrors(name,
+      (isTime ? "Time at the end, " : "Place (u,v) of the end, ") + row.Case + ", 1 thread",
+      "run time (s)",
+      isTime ? "mean error of the time (unit of time)"
+             : "mean distance from the streamline (unit of length)");
+    fresh.Question = std::string("Which integrator, at which tolerance, for the ") +
+      (isTime ? "time" : "place") + " at which a streamline of " + row.Case + " ends?";
+    fresh.Conditions = "vtkImplicitFlowField at tolerances over the largest speed, vtkStreamTracer "
+                       "at steps and tolerances; ends against the streamlines themselves.";
     // The peer ends at the top right, where the legend would be.
     fresh.Rises = true;
     plot = plots.insert(plots.end(), fresh);
   }
-  plot->AddPoint(
-    isOwn ? row.Method : std::string(Peer) + " " + row.Method, !isOwn, *row.Seconds, error);
+  plot->AddPoint(isOwn ? row.Method : std::string(Peer) + " " + row.Method, !isOwn, *row.Seconds,
+    error, row.GetParameterText());
   if (row.Method == Automatic && row.Parameter.get<double>() == ClaimedTolerance &&
     row.Case.rfind("stiff", 0) != 0)
   {
-    plot->DefaultPoints.X = { *row.Seconds };
-    plot->DefaultPoints.Y = { error };
+    plot->SetDefault(row.Method, row.GetParameterText());
   }
 }
 }

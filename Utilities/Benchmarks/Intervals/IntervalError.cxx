@@ -185,22 +185,24 @@ void AddErrorRows(
 BenchPlot MakeErrorPlot(const std::string& theCase, const char* norm, const std::string& name,
   const std::vector<BenchRow>& rows)
 {
-  BenchPlot plot;
-  plot.Name = "interval-" + theCase + "-" + name;
-  plot.Title = theCase + ": error against run time as the grid gets finer, 1 thread";
-  plot.XLabel = "run time (s)";
-  plot.YLabel = std::string("error: ") + norm;
-  plot.LogX = true;
-  plot.LogY = true;
-  plot.DefaultSeries = "hexahedra";
+  BenchPlot plot = BenchPlot::OfErrors("interval-" + theCase + "-" + name,
+    theCase + ": error against run time as the grid gets finer, 1 thread", "run time (s)",
+    std::string("error: ") + norm);
+  plot.Question = "Are tables of hexahedra worth their time for the " + name +
+    " of an interval volume (" + theCase + ")?";
+  plot.Conditions = "vtkIntervalVolume on hexahedra and on their splits into tetrahedra, "
+                    "vtkClipDataSet twice as the peer; points along an edge of the grid at each "
+                    "point. Ringed: hexahedra on the finest grid.";
   for (const BenchRow& row : rows)
   {
     // An error of nothing has no place on a logarithmic axis.
     if (row.Case == theCase && row.ErrorNorm == norm && *row.Error > 0.0)
     {
-      plot.AddPoint(row.Method, row.Method == "clip2", *row.Seconds, *row.Error);
+      plot.AddPoint(
+        row.Method, row.Method == "clip2", *row.Seconds, *row.Error, row.GetParameterText());
     }
   }
+  plot.SetDefault("hexahedra");
   return plot;
 }
 }

@@ -18,6 +18,7 @@ const char* const ShadowMaps = "shadow-maps";
 const char* const OverPeer = "over_peer";
 const char* const ErrorOverPeer = "error_over_peer";
 constexpr int Reach = 10;
+constexpr int DefaultResolution = 1024;
 
 BenchRow MakeMapRow(
   const BenchRows& rows, const std::string& name, const char* method, int resolution)
@@ -95,21 +96,22 @@ std::vector<BenchClaim> CheckMapClaims(const std::vector<BenchRow>& rows)
 
 std::vector<BenchPlot> MakeMapPlots(const std::vector<BenchRow>& rows)
 {
-  BenchPlot plot;
-  plot.Name = "mixed-surfaces";
-  plot.Title = "Surfaces alone: error against run time, depth maps of growing resolution";
-  plot.XLabel = "time of a frame (s)";
-  plot.YLabel = "error: channel difference, mean";
-  plot.LogX = true;
-  plot.LogY = true;
+  BenchPlot plot = BenchPlot::OfErrors("mixed-surfaces",
+    "Surfaces alone: error against run time, depth maps of growing resolution",
+    "time of a frame (s)", "error: channel difference, mean");
+  plot.Question = "How fine are the depth maps of surfaces to be?";
+  plot.Conditions =
+    "Posts under one light, columns of a map at each point, vtkShadowMapPass as the "
+    "peer; against a ray caster in double precision.";
   for (const BenchRow& row : rows)
   {
     const bool isPeer = row.Method == ShadowMaps;
     if ((isPeer || row.Peer == ShadowMaps) && row.Error && *row.Error > 0.0)
     {
-      plot.AddPoint(row.Method, isPeer, *row.Seconds, *row.Error);
+      plot.AddPoint(row.Method, isPeer, *row.Seconds, *row.Error, row.GetParameterText());
     }
   }
+  plot.SetDefault(ScenePass, std::to_string(DefaultResolution));
   return plot.AllSeries.empty() ? std::vector<BenchPlot>() : std::vector<BenchPlot>{ plot };
 }
 }

@@ -16,6 +16,7 @@ namespace
 const char* const Soft = "soft";
 const char* const Hard = "hard";
 constexpr double Diameter = 0.8;
+constexpr int DefaultSamples = 16;
 
 /// The case under a round light in the place of its own.
 Case MakeRound(const Case& from)
@@ -88,25 +89,21 @@ void AddSoftRows(const BenchOptions& options, BenchRows& rows)
 
 std::vector<BenchPlot> MakeSoftPlots(const std::vector<BenchRow>& rows)
 {
-  BenchPlot plot;
-  plot.Name = "mixed-soft";
-  plot.Title = "Soft shadows of surfaces: error against run time, maps of 4 samples and more";
-  plot.XLabel = "time of a frame (s)";
-  plot.YLabel = "error: channel difference, mean";
-  plot.LogX = true;
-  plot.LogY = true;
+  BenchPlot plot = BenchPlot::OfErrors("mixed-soft",
+    "Soft shadows of surfaces: error against run time, maps of 4 samples and more",
+    "time of a frame (s)", "error: channel difference, mean");
+  plot.Question = "How many samples of an area light for the soft shadows of surfaces?";
+  plot.Conditions = "Posts under a round light, maps of so many samples, and the hard shadows of "
+                    "the light's centre; against a ray caster in double precision.";
   for (const BenchRow& row : rows)
   {
     if ((row.Method == Soft || row.Method == Hard) && *row.Error > 0.0)
     {
-      plot.AddPoint(row.Method, row.Method == Hard, *row.Seconds, *row.Error);
-    }
-    if (row.Method == Hard && *row.Error > 0.0)
-    {
-      // A line has two points at least.
-      plot.AddPoint(row.Method, true, *row.Seconds, *row.Error);
+      plot.AddPoint(
+        row.Method, row.Method == Hard, *row.Seconds, *row.Error, row.GetParameterText());
     }
   }
+  plot.SetDefault(Soft, std::to_string(DefaultSamples));
   return plot.AllSeries.empty() ? std::vector<BenchPlot>() : std::vector<BenchPlot>{ plot };
 }
 }

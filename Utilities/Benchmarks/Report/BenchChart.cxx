@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Report/BenchChart.h"
 
+#include "Benchmarks/Report/PointNames.h"
 #include "Benchmarks/Results/BenchPlot.h"
+#include "Benchmarks/Results/ErrorFront.h"
 
 #include "vtkAxis.h"
 #include "vtkBrush.h"
@@ -41,6 +43,10 @@ const Look Looks[] = {
   { { 50, 160, 115 }, vtkPlotPoints::CROSS },
   { { 226, 150, 20 }, vtkPlotPoints::PLUS },
   { { 120, 120, 120 }, vtkPlotPoints::SQUARE },
+  { { 120, 40, 120 }, vtkPlotPoints::DIAMOND },
+  { { 90, 150, 200 }, vtkPlotPoints::CIRCLE },
+  { { 110, 80, 30 }, vtkPlotPoints::PLUS },
+  { { 20, 100, 60 }, vtkPlotPoints::CROSS },
 };
 
 const Look& LookOf(std::size_t series)
@@ -143,16 +149,49 @@ void SetRange(vtkAxis* axis, const std::array<double, 2>& range, bool logarithmi
   axis->SetCustomTickPositions(positions, labels);
 }
 
-/// Behind the points of the default.
-void AddRings(vtkChartXY* chart, vtkTable* table, const Look& look)
+void AddDiscs(vtkChartXY* chart, vtkTable* table, unsigned char grey, float size, bool isNamed)
 {
-  auto ring = vtkPlotLine::SafeDownCast(chart->AddPlot(vtkChart::LINE));
-  ring->SetInputData(table, 0, 1);
-  ring->SetColor(look.Colour[0], look.Colour[1], look.Colour[2], 70);
-  ring->GetPen()->SetLineType(vtkPen::NO_PEN);
-  ring->SetMarkerStyle(vtkPlotPoints::CIRCLE);
-  ring->SetMarkerSize(30.0f);
-  ring->SetLabel("default");
+  auto disc = vtkPlotLine::SafeDownCast(chart->AddPlot(vtkChart::LINE));
+  disc->SetInputData(table, 0, 1);
+  disc->SetColor(grey, grey, grey, 255);
+  disc->GetPen()->SetLineType(vtkPen::NO_PEN);
+  disc->SetMarkerStyle(vtkPlotPoints::CIRCLE);
+  disc->SetMarkerSize(size);
+  disc->SetLabel("default");
+  disc->SetLegendVisibility(isNamed);
+}
+
+/// Around the points of the default, which are drawn later.
+void AddRings(vtkChartXY* chart, vtkTable* table)
+{
+  AddDiscs(chart, table, 0, 34.0f, true);
+  AddDiscs(chart, table, 255, 28.0f, false);
+}
+
+/// The front as stairs: what is above and right of them is worse than a point that there is.
+void AddFront(vtkChartXY* chart, const BenchPlot& plot)
+{
+  std::vector<double> x;
+  std::vector<double> y;
+  for (const ErrorPoint& point : FindFront(plot))
+  {
+    if (!x.empty())
+    {
+      x.push_back(point.Cost);
+      y.push_back(y.back());
+    }
+    x.push_back(point.Cost);
+    y.push_back(point.Error);
+  }
+  if (x.size() > 1)
+  {
+    auto stairs = vtkPlotLine::SafeDownCast(chart->AddPlot(vtkChart::LINE));
+    stairs->SetInputData(MakeTable("Pareto front", x, y), 0, 1);
+    stairs->SetColor(150, 150, 150, 255);
+    stairs->GetPen()->SetLineType(vtkPen::DOT_LINE);
+    stairs->SetWidth(5.0f);
+    stairs->SetLabel("Pareto front");
+  }
 }
 
 void AddLine(vtkChartXY* chart, const BenchPlot::Series& series, const Look& look, bool isDefault)
@@ -160,7 +199,7 @@ void AddLine(vtkChartXY* chart, const BenchPlot::Series& series, const Look& loo
   auto table = MakeTable(series);
   if (isDefault)
   {
-    AddRings(chart, table, look);
+    AddRings(chart, table);
   }
   auto line = vtkPlotLine::SafeDownCast(chart->AddPlot(vtkChart::LINE));
   line->SetInputData(table, 0, 1);
@@ -235,13 +274,20 @@ void FillChart(vtkChartXY* chart, const BenchPlot& plot)
   }
   SetRange(
     chart->GetAxis(vtkAxis::BOTTOM), RangeOf(plot, &BenchPlot::Series::X, plot.LogX), plot.LogX);
-  if (!plot.DefaultPoints.X.empty())
+  if (plot.HasFront)
   {
-    AddRings(chart, MakeTable(plot.DefaultPoints), LookOf(0));
+    AddFront(chart, plot);
+  }
+  if (!plot.DefaultPoint.X.empty())
+  {
+    AddRings(chart, MakeTable(plot.DefaultPoint));
   }
   for (std::size_t i = 0; i < plot.AllSeries.size(); ++i)
   {
     const BenchPlot::Series& series = plot.AllSeries[i];
     AddLine(chart, series, LookOf(i), series.Label == plot.DefaultSeries);
   }
+  vtkNew<PointNames> names;
+  names->SetPlot(plot);
+  chart->AddItem(names);
 }

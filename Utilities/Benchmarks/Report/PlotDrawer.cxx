@@ -21,7 +21,7 @@ namespace
 {
 const int Width = 1200;
 const int Height = 860;
-const int CaptionHeight = 44;
+const int CaptionHeight = 58;
 const int RightMargin = 28;
 }
 
@@ -40,18 +40,18 @@ PlotDrawer::PlotDrawer(const std::string& folder, const std::string& caption)
   std::filesystem::create_directories(folder);
 }
 
-std::vector<std::string> PlotDrawer::Draw(const std::vector<BenchPlot>& plots) const
+std::vector<BenchPlot> PlotDrawer::Draw(const std::vector<BenchPlot>& plots) const
 {
-  std::vector<std::string> names;
+  std::vector<BenchPlot> drawn;
   for (const BenchPlot& plot : plots)
   {
     if (!plot.AllSeries.empty())
     {
       this->Draw(plot);
-      names.push_back(plot.Name);
+      drawn.push_back(plot);
     }
   }
-  return names;
+  return drawn;
 }
 
 void PlotDrawer::Draw(const BenchPlot& plot) const
@@ -73,7 +73,7 @@ void PlotDrawer::Draw(const BenchPlot& plot) const
   caption->SetInput(this->Caption.c_str());
   caption->GetTextProperty()->SetColor(0.35, 0.35, 0.35);
   caption->GetTextProperty()->SetFontSize(16);
-  caption->SetPosition(24.0, 14.0);
+  caption->SetPosition(24.0, 10.0);
   renderer->AddViewProp(caption);
   this->Window->Render();
 

@@ -12,23 +12,23 @@
 
 /**
  * Draws plots with VTK's charts, off screen: a colour and a marker for each method, so that they
- * can be told apart in grey; peers dashed; the default's points ringed; the machine under the
- * chart.
+ * can be told apart in grey; peers dashed; the default's point ringed, the front dotted; machine
+ * and conditions under the chart.
  */
 class PlotDrawer
 {
 public:
   /**
-   * \a folder is made where it is missing; \a caption is the line under every chart. Throws
+   * \a folder is made where it is missing; \a caption are the lines under every chart. Throws
    * std::runtime_error where this VTK needs a display and there is none.
    */
   PlotDrawer(const std::string& folder, const std::string& caption);
 
   /**
-   * Writes `<name>.png` of each plot that has points, and returns these names. Throws
+   * Writes `<name>.png` of each plot that has points, and returns these plots. Throws
    * std::runtime_error where a file cannot be written.
    */
-  std::vector<std::string> Draw(const std::vector<BenchPlot>& plots) const;
+  std::vector<BenchPlot> Draw(const std::vector<BenchPlot>& plots) const;
 
 private:
   void Draw(const BenchPlot& plot) const;

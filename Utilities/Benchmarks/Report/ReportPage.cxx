@@ -20,6 +20,9 @@ h1, h2 { line-height: 1.2; font-weight: 600; }
 h2 { margin-top: 3rem; border-bottom: 1px solid #ccc; padding-bottom: .3rem; }
 nav a { margin-right: 1.2rem; }
 .plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(480px, 1fr)); gap: 1rem; }
+figure { margin: 0; }
+figure h3 { font-size: 16px; margin: .8rem 0 .2rem; }
+figcaption, .answer { font-size: 14px; margin: .2rem 0 .5rem; }
 .plots img { width: 100%; border: 1px solid #ddd; background: #fff; }
 .wide { overflow-x: auto; margin: 1.2rem 0; }
 table { border-collapse: collapse; background: #fff; font-size: 14px; }
@@ -44,7 +47,7 @@ ReportPage::ReportPage(const BenchResults& results)
 {
 }
 
-void ReportPage::AddSuite(const BenchSuite& suite, const std::vector<std::string>& plots)
+void ReportPage::AddSuite(const BenchSuite& suite, const std::vector<BenchPlot>& plots)
 {
   const std::string name = suite.GetName();
   const std::vector<BenchRow> rows = this->Results.RowsOf(name);
@@ -56,10 +59,17 @@ void ReportPage::AddSuite(const BenchSuite& suite, const std::vector<std::string
     text << "<li>" << html::Escaped(paragraph) << "</li>\n";
   }
   text << "</ul>\n<div class=\"plots\">\n";
-  for (const std::string& plot : plots)
+  for (const BenchPlot& plot : plots)
   {
-    text << "<a href=\"" << plot << ".png\"><img src=\"" << plot << ".png\" alt=\"" << plot
-         << "\"></a>\n";
+    if (plot.Question.empty())
+    {
+      text << "<a href=\"" << plot.Name << ".png\"><img src=\"" << plot.Name << ".png\" alt=\""
+           << html::Escaped(plot.Title) << "\"></a>\n";
+    }
+    else
+    {
+      this->Questions.push_back({ name, plot });
+    }
   }
   text << "</div>\n" << Folded(std::to_string(rows.size()) + " rows", html::TableOf(rows));
   this->Body += text.str();
@@ -95,7 +105,8 @@ void ReportPage::Write(const std::string& path) const
        << "<p>Times are wall time, medians of as many runs as the column says. A method and its "
           "peers take turns in the same run; "
           "the ratio is the peer's time divided by the method's: above 1 the method is faster. "
-          "The same numbers are in <a href=\"rows.json\">rows.json</a>.</p>\n<nav>";
+          "The same numbers are in <a href=\"rows.json\">rows.json</a>.</p>\n<nav>"
+          "<a href=\"#claims\">claims</a><a href=\"#questions\">questions</a>";
   for (const BenchRow& row : this->Results.Rows)
   {
     if (named.insert(row.Suite).second)
@@ -104,7 +115,8 @@ void ReportPage::Write(const std::string& path) const
     }
   }
   file << "<a href=\"#stability\">stability</a></nav>\n<h2 id=\"claims\">claims</h2>\n"
-       << html::TableOf(this->Claims) << this->Body << "</body>\n</html>\n";
+       << html::TableOf(this->Claims) << "<h2 id=\"questions\">questions</h2>\n"
+       << html::FiguresOf(this->Questions) << this->Body << "</body>\n</html>\n";
   if (!file)
   {
     throw std::runtime_error("cannot write " + path);

@@ -3,6 +3,7 @@
 #define ReportPage_h
 
 #include "Benchmarks/Report/ReportTables.h"
+#include "Benchmarks/Results/BenchPlot.h"
 #include "Benchmarks/Results/BenchResults.h"
 #include "Benchmarks/Suites/BenchSuite.h"
 #include "Pages/StabilityCase.h"
@@ -12,8 +13,9 @@
 
 /**
  * The page of `interlume-bench report`: what was measured on, all claims with those that are not
- * met first, then a section for each suite with its description and plots, its rows folded below,
- * and the stability catalogue, folded too.
+ * met first, the questions, each with its plot and the sentence that answers it, then a section for
+ * each suite with its description and its other plots, its rows folded below, and the stability
+ * catalogue, folded too.
  */
 class ReportPage
 {
@@ -21,10 +23,10 @@ public:
   explicit ReportPage(const BenchResults& results);
 
   /**
-   * A section with the rows of \a suite and its claims; \a plots are file names, without their
-   * ending, of PNG files beside the page.
+   * A section with the rows of \a suite, its claims and \a plots, which are drawn in PNG files
+   * beside the page.
    */
-  void AddSuite(const BenchSuite& suite, const std::vector<std::string>& plots);
+  void AddSuite(const BenchSuite& suite, const std::vector<BenchPlot>& plots);
 
   void AddCatalogue(const std::vector<StabilityCase>& cases);
 
@@ -36,6 +38,7 @@ public:
 private:
   const BenchResults& Results;
   std::vector<html::SuiteClaim> Claims;
+  std::vector<html::SuitePlot> Questions;
   std::string Body;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Report/ReportTables.h"
 
+#include "Benchmarks/Results/ErrorFront.h"
 #include "Pages/HtmlText.h"
 
 #include <algorithm>
@@ -117,6 +118,38 @@ std::string Verdict(bool isGood, const std::string& text)
 
 namespace html
 {
+std::string FiguresOf(const std::vector<SuitePlot>& questions)
+{
+  std::ostringstream figures;
+  int withDefault = 0;
+  int onFront = 0;
+  for (const SuitePlot& question : questions)
+  {
+    const BenchPlot& plot = question.Plot;
+    const std::optional<double> over = GetCostOverFront(plot);
+    const bool isOnFront = over && *over <= FrontTolerance;
+    withDefault += over ? 1 : 0;
+    onFront += isOnFront ? 1 : 0;
+    figures << "<figure id=\"" << Escaped(plot.Name) << "\"><h3>" << Escaped(plot.Question)
+            << "</h3>\n<p class=\"answer\">"
+            << (over ? Verdict(isOnFront, Escaped(AnswerOf(plot)))
+                     : "No point of this size is the default's.")
+            << "</p>\n<a href=\"" << Escaped(plot.Name) << ".png\"><img src=\""
+            << Escaped(plot.Name) << ".png\" alt=\"" << Escaped(plot.Title)
+            << "\"></a>\n<figcaption>" << Escaped(plot.Conditions) << " Rows: <a href=\"#"
+            << Escaped(question.Suite) << "\">" << Escaped(question.Suite)
+            << "</a>.</figcaption></figure>\n";
+  }
+  std::ostringstream html;
+  html << "<p>" << questions.size() << " questions; the default, ringed, is on the Pareto front in "
+       << onFront << " of " << withDefault
+       << " plots with its point: no other point has less time and no more error, but for "
+       << std::lround(100.0 * (FrontTolerance - 1.0)) << " % of its time.</p>\n"
+       << "<div class=\"plots\">\n"
+       << figures.str() << "</div>\n";
+  return html.str();
+}
+
 std::string TableOf(const std::vector<SuiteClaim>& claims)
 {
   if (claims.empty())

@@ -3,6 +3,7 @@
 #define ReportTables_h
 
 #include "Benchmarks/Results/BenchClaim.h"
+#include "Benchmarks/Results/BenchPlot.h"
 #include "Benchmarks/Results/BenchRow.h"
 #include "Pages/StabilityCase.h"
 
@@ -20,6 +21,19 @@ struct SuiteClaim
   std::string Suite;
   BenchClaim Claim;
 };
+
+/// A plot, and the suite that measures it.
+struct SuitePlot
+{
+  std::string Suite;
+  BenchPlot Plot;
+};
+
+/**
+ * How many defaults are on their front, then each question with its plot, which links to its
+ * picture, the sentence that answers it and the plot's conditions.
+ */
+std::string FiguresOf(const std::vector<SuitePlot>& questions);
 
 /**
  * What is claimed, and for each case what was measured: claims that are not met first, and what is

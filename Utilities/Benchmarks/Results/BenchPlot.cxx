@@ -3,14 +3,57 @@
 
 #include <algorithm>
 
-void BenchPlot::AddPoint(const std::string& label, bool isPeer, double x, double y)
+namespace
 {
-  auto found = std::find_if(this->AllSeries.begin(), this->AllSeries.end(),
-    [&label](const Series& series) { return series.Label == label; });
+std::vector<BenchPlot::Series>::iterator Find(
+  std::vector<BenchPlot::Series>& all, const std::string& label)
+{
+  return std::find_if(all.begin(), all.end(),
+    [&label](const BenchPlot::Series& series) { return series.Label == label; });
+}
+}
+
+BenchPlot BenchPlot::OfErrors(const std::string& name, const std::string& title,
+  const std::string& timeLabel, const std::string& errorLabel)
+{
+  BenchPlot plot;
+  plot.Name = name;
+  plot.Title = title;
+  plot.XLabel = timeLabel;
+  plot.YLabel = errorLabel;
+  plot.LogX = true;
+  plot.LogY = true;
+  plot.HasFront = true;
+  return plot;
+}
+
+void BenchPlot::AddPoint(
+  const std::string& label, bool isPeer, double x, double y, const std::string& name)
+{
+  auto found = Find(this->AllSeries, label);
   if (found == this->AllSeries.end())
   {
-    found = this->AllSeries.insert(found, Series{ label, isPeer, {}, {} });
+    found = this->AllSeries.insert(found, Series{ label, isPeer, {}, {}, {} });
   }
   found->X.push_back(x);
   found->Y.push_back(y);
+  found->Names.push_back(name);
+}
+
+void BenchPlot::SetDefault(const std::string& label, const std::string& name)
+{
+  this->DefaultPoint = {};
+  const auto series = Find(this->AllSeries, label);
+  if (series == this->AllSeries.end())
+  {
+    return;
+  }
+  for (std::size_t i = 0; i < series->X.size(); ++i)
+  {
+    if (name.empty() || series->Names[i] == name)
+    {
+      this->DefaultPoint = { label, series->IsPeer, { series->X[i] }, { series->Y[i] },
+        { series->Names[i] } };
+    }
+  }
 }

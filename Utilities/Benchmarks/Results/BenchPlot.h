@@ -17,6 +17,8 @@ struct BenchPlot
     bool IsPeer = false;
     std::vector<double> X;
     std::vector<double> Y;
+    /// What is written beside each point, such as its setting; empty for nothing.
+    std::vector<std::string> Names;
   };
 
   enum Kinds
@@ -30,6 +32,10 @@ struct BenchPlot
   /// File name without its ending.
   std::string Name;
   std::string Title;
+  /// What the plot answers, a sentence for the head of the report; empty for nothing.
+  std::string Question;
+  /// What was measured on what, in sentences for the caption.
+  std::string Conditions;
   /// With units.
   std::string XLabel;
   std::string YLabel;
@@ -37,17 +43,28 @@ struct BenchPlot
   bool LogY = false;
   /// Whether lines end at the top right, so that the legend is better at the bottom.
   bool Rises = false;
-  /// Label of the series whose points are ringed, as the default's.
+  /// Whether X is what something costs and Y how wrong it is, so that the points that no other is
+  /// better than in both are a front, which is drawn: see ErrorFront.h.
+  bool HasFront = false;
+  /// The point that is ringed, what nobody has to ask for; or the series all of whose points are.
+  Series DefaultPoint;
   std::string DefaultSeries;
-  /// Or the points that are, where a series holds others too.
-  Series DefaultPoints;
   std::vector<std::string> BarLabels;
   /// Bars: height of a dashed line across, such as ratio 1; 0 for none.
   double Reference = 0.0;
   std::vector<Series> AllSeries;
 
+  /// An error against run time, both on logarithmic axes, with its front.
+  static BenchPlot OfErrors(const std::string& name, const std::string& title,
+    const std::string& timeLabel, const std::string& errorLabel);
+
   /// Adds a point to the series \a label, which is made where it is missing.
-  void AddPoint(const std::string& label, bool isPeer, double x, double y);
+  void AddPoint(const std::string& label, bool isPeer, double x, double y,
+    const std::string& name = std::string());
+
+  /// Rings the last point of the series \a label, or its point of that name; none where there is no
+  /// such point.
+  void SetDefault(const std::string& label, const std::string& name = std::string());
 };
 
 #endif

@@ -208,27 +208,21 @@ void AddViewRows(const BenchOptions& options, BenchRows& rows)
 
 std::vector<BenchPlot> MakeCloudPlots(const std::vector<BenchRow>& rows)
 {
-  BenchPlot plot;
-  plot.Name = "scattering-cloud";
-  plot.Title = "cloud: error against run time, one light";
-  plot.XLabel = "time of a frame whose light has moved (s)";
-  plot.YLabel = std::string("error: ") + Norm;
-  plot.LogX = true;
-  plot.LogY = true;
+  BenchPlot plot =
+    BenchPlot::OfErrors("scattering-cloud", "cloud: error against run time, one light",
+      "time of a frame whose light has moved (s)", std::string("error: ") + Norm);
+  plot.Question = "Which method for scattered light, in how many cells?";
+  plot.Conditions = "A cloud under one light, cells along the longest edge at each point, against "
+                    "paths of light by Monte Carlo, whose own error is on the plot too.";
   for (const BenchRow& row : rows)
   {
     if (row.Case == CloudName && row.Method != EqualError && row.Error && *row.Error > 0.0)
     {
-      plot.AddPoint(
-        row.Method, row.Method == MonteCarlo || row.Method == Shadowed, *row.Seconds, *row.Error);
-      if (row.Method == Shadowed)
-      {
-        // A line has two points at least.
-        plot.AddPoint(row.Method, true, *row.Seconds, *row.Error);
-      }
+      plot.AddPoint(row.Method, row.Method == MonteCarlo || row.Method == Shadowed, *row.Seconds,
+        *row.Error, row.GetParameterText());
       if (row.Method == Full && row.Parameter == Default)
       {
-        plot.DefaultPoints = { Full, false, { *row.Seconds }, { *row.Error } };
+        plot.SetDefault(Full, row.GetParameterText());
       }
     }
   }

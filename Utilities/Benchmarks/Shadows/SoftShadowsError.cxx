@@ -311,23 +311,19 @@ std::vector<BenchPlot> MakeSoftShadowPlots(const std::vector<BenchRow>& rows)
     }
     if (plots.empty() || plots.back().Title.compare(0, row.Case.size(), row.Case) != 0)
     {
-      BenchPlot plot;
-      plot.Name = "soft-shadows-" + row.Case.substr(0, row.Case.find('-'));
-      plot.Title = row.Case + ": error against run time, one area light";
-      plot.XLabel = "time of a frame (s)";
-      plot.YLabel = std::string("error: ") + Norm;
-      plot.LogX = true;
-      plot.LogY = true;
-      plots.push_back(plot);
+      plots.push_back(BenchPlot::OfErrors("soft-shadows-" + row.Case.substr(0, row.Case.find('-')),
+        row.Case + ": error against run time, one area light", "time of a frame (s)",
+        std::string("error: ") + Norm));
+      plots.back().Question = "Which method for soft shadows (" + row.Case + ")?";
+      plots.back().Conditions =
+        "Samples of the emitter, distances of slices over the default one, columns of the light's "
+        "buffer, all of them refined by a factor; against the mean picture of many small lights.";
     }
     BenchPlot& plot = plots.back();
+    const bool isPlain = row.Method == Default || row.Method == Hard;
     plot.AddPoint(row.Method, row.Method == Sampled || row.Method.find(Convolution) == 0,
-      *row.Seconds, *row.Error);
-    if (row.Method == Default || row.Method == Hard)
-    {
-      // A line has two points at least.
-      plot.AddPoint(row.Method, false, *row.Seconds, *row.Error);
-    }
+      *row.Seconds, *row.Error, isPlain ? std::string() : row.GetParameterText());
+    plot.SetDefault(Default);
   }
   return plots;
 }

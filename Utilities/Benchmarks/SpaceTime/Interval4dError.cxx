@@ -298,25 +298,26 @@ std::vector<BenchPlot> MakeErrorPlots(const std::vector<BenchRow>& rows)
   std::vector<BenchPlot> plots;
   for (const char* field : { "wave", "ball" })
   {
-    BenchPlot plot;
-    plot.Name = std::string("interval4d-") + field;
-    plot.Title =
-      std::string(field) + ": error against run time as the time step is halved, 1 thread";
-    plot.XLabel = "run time (s)";
-    plot.YLabel = std::string("error: ") + DifferenceNorm;
-    plot.LogX = true;
-    plot.LogY = true;
-    plot.DefaultSeries = Slice;
+    BenchPlot plot = BenchPlot::OfErrors(std::string("interval4d-") + field,
+      std::string(field) + ": error against run time as the time step is halved, 1 thread",
+      "run time (s)", std::string("error: ") + DifferenceNorm);
+    plot.Question =
+      std::string("Is a slice of 4-simplices worth its time between two steps (") + field + ")?";
+    plot.Conditions = "The region midway between time steps: slices, interpolated values and, for "
+                      "the error that is left, values sampled then; by the time from step to step. "
+                      "Ringed: slices at the shortest step.";
     for (const BenchRow& row : rows)
     {
       for (const Method& method : Methods)
       {
         if (IsOf(row, field, method.Name))
         {
-          plot.AddPoint(row.Method, row.Method != Slice, *row.Seconds, *row.Error);
+          plot.AddPoint(
+            row.Method, row.Method != Slice, *row.Seconds, *row.Error, row.GetParameterText());
         }
       }
     }
+    plot.SetDefault(Slice);
     if (!plot.AllSeries.empty())
     {
       plots.push_back(plot);

@@ -144,6 +144,12 @@ void AddResolutionRows(Theatre& theatre, int cubes, const reference::RgbaPicture
   }
 }
 
+std::string StrideText(int pixels, int tetrahedra)
+{
+  return "stride of pixels " + std::to_string(pixels) + ", of tetrahedra " +
+    std::to_string(tetrahedra);
+}
+
 /// What a path draws when ever less time is allowed for a frame.
 void AddStrideRows(Theatre& theatre, const RenderPath& path, int cubes,
   const reference::RgbaPicture& expected, const BenchOptions& options, BenchRows& rows)
@@ -169,8 +175,7 @@ void AddStrideRows(Theatre& theatre, const RenderPath& path, int cubes,
     if (seen.emplace(report.PixelStride, report.TetrahedronStride).second)
     {
       BenchRow row = MakeRow(rows, std::string(path.Name) + ", level of detail", grid, error);
-      row.Parameter = "stride of pixels " + std::to_string(report.PixelStride) +
-        ", of tetrahedra " + std::to_string(report.TetrahedronStride);
+      row.Parameter = StrideText(report.PixelStride, report.TetrahedronStride);
       row.Seconds = seconds;
       rows.Add(row);
     }
@@ -197,28 +202,29 @@ void AddErrorRows(const BenchOptions& options, BenchRows& rows)
 
 std::vector<BenchPlot> MakeErrorPlots(const std::vector<BenchRow>& rows)
 {
-  BenchPlot finer;
-  finer.Name = "tetrahedra-error";
-  finer.Title = "a gyroid: error against run time as the mesh gets finer";
-  finer.DefaultSeries = "software";
-  BenchPlot coarser;
-  coarser.Name = "tetrahedra-level-of-detail";
-  coarser.Title = "a gyroid: error against run time as the level of detail falls";
-  for (BenchPlot* plot : { &finer, &coarser })
-  {
-    plot->XLabel = "time of a frame (s)";
-    plot->YLabel = std::string("error: ") + Norm;
-    plot->LogX = true;
-    plot->LogY = true;
-  }
+  const std::string time = "time of a frame (s)";
+  const std::string error = std::string("error: ") + Norm;
+  BenchPlot finer = BenchPlot::OfErrors(
+    "tetrahedra-error", "a gyroid: error against run time as the mesh gets finer", time, error);
+  finer.Question = "Which path and which integration of a tetrahedron, as meshes get finer?";
+  finer.Conditions = "A gyroid in cubes of five tetrahedra, cubes along an edge at each point, "
+                     "against the formula's own picture. Ringed: the software path, which is the "
+                     "default where OpenGL is software, on the finest mesh.";
+  BenchPlot coarser = BenchPlot::OfErrors("tetrahedra-level-of-detail",
+    "a gyroid: error against run time as the level of detail falls", time, error);
+  coarser.Question = "What does the level of detail of tetrahedra cost in error?";
+  coarser.Conditions = "The finest of these meshes, with less and less time allotted to a frame.";
   for (const BenchRow& row : rows)
   {
     if (row.Error && *row.Error > 0.0)
     {
       BenchPlot& plot = row.Parameter.is_string() ? coarser : finer;
-      plot.AddPoint(row.Method, IsPeer(row.Method), *row.Seconds, *row.Error);
+      plot.AddPoint(
+        row.Method, IsPeer(row.Method), *row.Seconds, *row.Error, row.GetParameterText());
     }
   }
+  finer.SetDefault("software");
+  coarser.SetDefault("software, level of detail", StrideText(1, 1));
   return { finer, coarser };
 }
 }

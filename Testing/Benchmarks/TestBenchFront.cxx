@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fronts, defaults and answers of plots that are made up, and what charts show of them.
+#include "Benchmarks/Approximations/Approximation.h"
+#include "Benchmarks/Report/BenchChart.h"
+#include "Benchmarks/Results/ErrorFront.h"
+
+#include "vtkAxis.h"
+#include "vtkChartXY.h"
+#include "vtkNew.h"
+#include "vtkPlot.h"
+#include "vtkTable.h"
+
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+namespace
+{
+bool Right = true;
+
+void Expect(bool condition, const std::string& what)
+{
+  if (!condition)
+  {
+    std::cerr << "ERROR: " << what << std::endl;
+    Right = false;
+  }
+}
+
+/// A method that is cheap and wrong, one that is dear and right, a peer that is worse in both than
+/// a point of ours, and one point that costs as much as another and is wronger.
+BenchPlot MakePlot()
+{
+  BenchPlot plot = BenchPlot::OfErrors("made-up", "Made up", "run time (s)", "error");
+  plot.AddPoint("fine", false, 4.0, 1e-4, "8");
+  plot.AddPoint("fine", false, 8.0, 1e-5, "16");
+  plot.AddPoint("coarse", false, 1.0, 1e-2, "1");
+  plot.AddPoint("coarse", false, 2.0, 1e-3, "2");
+  plot.AddPoint("coarse", false, 2.0, 2e-3, "2, again");
+  plot.AddPoint("peer", true, 5.0, 5e-4);
+  return plot;
+}
+
+void CheckFront()
+{
+  const std::vector<ErrorPoint> front = FindFront(MakePlot());
+  Expect(front.size() == 4, "a front of " + std::to_string(front.size()) + " points");
+  const char* names[] = { "1", "2", "8", "16" };
+  for (std::size_t i = 0; i < front.size() && i < 4; ++i)
+  {
+    Expect(front[i].Name == names[i], "point " + front[i].Name + " of the front");
+  }
+  Expect(FindFront(BenchPlot()).empty(), "a front of nothing");
+}
+
+void CheckAnswers()
+{
+  BenchPlot plot = MakePlot();
+  Expect(!GetCostOverFront(plot) && AnswerOf(plot).empty(), "an answer without a default");
+  plot.SetDefault("fine", "8");
+  Expect(GetCostOverFront(plot) == 1.0, "8 is on the front");
+  Expect(AnswerOf(plot) == "The default, fine 8 (error 0.0001 in 4 s), is on the front.",
+    "answer: " + AnswerOf(plot));
+  plot.SetDefault("peer");
+  Expect(GetCostOverFront(plot) == 1.25, "the peer costs 5 / 4 of 8");
+  Expect(AnswerOf(plot) ==
+      "The default, peer (error 0.0005 in 5 s), is not on the front: fine 8 has error 0.0001 in 4 "
+      "s.",
+    "answer: " + AnswerOf(plot));
+  plot.AddPoint("near", false, 4.3, 1e-4, "9");
+  plot.SetDefault("near");
+  Expect(
+    AnswerOf(plot).find("is within what runs differ by on the front: fine 8") != std::string::npos,
+    "answer: " + AnswerOf(plot));
+  plot.SetDefault("fine");
+  Expect(plot.DefaultPoint.Names == std::vector<std::string>{ "16" }, "the last point of a series");
+  plot.SetDefault("fine", "32");
+  Expect(plot.DefaultPoint.X.empty(), "a default that is not there");
+}
+
+/// What the rows of a question say of its plot.
+void CheckRows()
+{
+  using namespace approximations;
+  const Question question = { "made-up", "Made up", "Is it right?", "Made up.", "run time (s)",
+    "error" };
+  Trials trials;
+  trials.SetSize("cells along an edge", 8);
+  int runs = 0;
+  const auto work = [&runs]()
+  {
+    ++runs;
+    return vtkSmartPointer<vtkObjectBase>();
+  };
+  trials.Add("own", "1", Maker::Own, work, []() { return 0.5; });
+  trials.Add("own", "2", Maker::Default, work, []() { return 0.25; });
+  trials.Add("other", "", Maker::Peer, work, []() { return 0.125; });
+  trials.Add("exact", "", Maker::Own, work, []() { return 0.0; });
+  BenchOptions options;
+  options.Size = BenchOptions::TINY;
+  BenchRows rows("suite");
+  trials.Run(question, options, rows);
+  Expect(rows.Get().size() == 4 && runs == 4 * (1 + options.GetRepeats()), "rows and runs");
+  Expect(*rows.Get()[1].Error == 0.25 && rows.Get()[1].ErrorNorm == "error", "a row's error");
+
+  const BenchPlot plot = approximations::MakePlot(question, rows.Get());
+  Expect(plot.HasFront && plot.Question == question.Text, "the plot is the question's");
+  Expect(plot.Conditions == "Made up. cells along an edge 8.", "caption: " + plot.Conditions);
+  Expect(plot.AllSeries.size() == 2, "an error of 0 has no place");
+  Expect(plot.AllSeries[1].IsPeer && !plot.AllSeries[0].IsPeer, "the peer is one");
+  Expect(plot.DefaultPoint.Label == "own" && plot.DefaultPoint.Y == std::vector<double>{ 0.25 },
+    "the default is ringed");
+
+  const Family family = { question, nullptr };
+  Expect(CheckDefaults({ family }, rows.Get()).Cases.size() == 1, "one claim");
+  Expect(CheckDefaults({ family }, {}).Cases.empty(), "no claim without rows");
+}
+
+/// The plots of a chart with that label, and the points of the last one.
+int CountLabels(vtkChartXY* chart, const std::string& label, vtkIdType& points)
+{
+  int number = 0;
+  for (vtkIdType i = 0; i < chart->GetNumberOfPlots(); ++i)
+  {
+    if (chart->GetPlot(i)->GetLabel() == label)
+    {
+      ++number;
+      points = chart->GetPlot(i)->GetInput()->GetNumberOfRows();
+    }
+  }
+  return number;
+}
+
+void CheckChart()
+{
+  BenchPlot plot = MakePlot();
+  vtkNew<vtkChartXY> plain;
+  FillChart(plain, plot);
+  vtkIdType points = 0;
+  Expect(CountLabels(plain, "default", points) == 0, "a ring around nothing");
+  Expect(CountLabels(plain, "Pareto front", points) == 1 && points == 7,
+    "the front is stairs of 7 points: " + std::to_string(points));
+  Expect(CountLabels(plain, "peer (peer)", points) == 1, "the peer is called one");
+
+  plot.SetDefault("fine", "8");
+  vtkNew<vtkChartXY> chart;
+  FillChart(chart, plot);
+  // A disc, and a smaller one of the ground's colour on it.
+  Expect(CountLabels(chart, "default", points) == 2, "the default is ringed");
+  Expect(
+    chart->GetAxis(vtkAxis::LEFT)->GetLogScale() && chart->GetAxis(vtkAxis::BOTTOM)->GetLogScale(),
+    "both axes are logarithmic");
+
+  plot.HasFront = false;
+  vtkNew<vtkChartXY> without;
+  FillChart(without, plot);
+  Expect(CountLabels(without, "Pareto front", points) == 0, "a front that was not asked for");
+}
+}
+
+int main()
+{
+  CheckFront();
+  CheckAnswers();
+  CheckRows();
+  CheckChart();
+  return Right ? EXIT_SUCCESS : EXIT_FAILURE;
+}

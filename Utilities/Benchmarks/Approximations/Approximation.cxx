@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmarks/Approximations/Approximation.h"
+
+#include "Benchmarks/Results/ErrorFront.h"
+
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+
+namespace approximations
+{
+namespace
+{
+const char* const IsDefault = "default";
+const char* const IsPeer = "peer";
+
+/// The counts that are sizes, in words.
+std::string SizesOf(const BenchRow& row)
+{
+  std::string text;
+  for (const auto& count : row.Counts.items())
+  {
+    if (count.key() != IsDefault && count.key() != IsPeer)
+    {
+      text +=
+        (text.empty() ? " " : ", ") + count.key() + " " + NumberText(count.value().get<double>());
+    }
+  }
+  return text.empty() ? text : text + ".";
+}
+}
+
+void Trials::Add(const std::string& method, const std::string& setting, Maker maker,
+  const BenchWork& work, const std::function<double()>& measure)
+{
+  this->All.push_back({ method, setting, maker, work, measure });
+}
+
+void Trials::Run(const Question& question, const BenchOptions& options, BenchRows& rows) const
+{
+  std::vector<BenchWork> works;
+  std::transform(this->All.begin(), this->All.end(), std::back_inserter(works),
+    [](const Trial& trial) { return trial.Work; });
+  const std::vector<BenchSeconds> seconds = MeasureAlternately(works, options.GetRepeats());
+  for (std::size_t i = 0; i < this->All.size(); ++i)
+  {
+    const Trial& trial = this->All[i];
+    BenchRow row = rows.Make(question.Name, trial.Method);
+    if (!trial.Setting.empty())
+    {
+      row.Parameter = trial.Setting;
+    }
+    row.Seconds = seconds[i];
+    row.Error = trial.Measure();
+    row.ErrorNorm = question.ErrorNorm;
+    row.Counts = this->Sizes;
+    if (trial.By != Maker::Own)
+    {
+      row.Counts[trial.By == Maker::Peer ? IsPeer : IsDefault] = 1;
+    }
+    rows.Add(row);
+  }
+}
+
+BenchPlot MakePlot(const Question& question, const std::vector<BenchRow>& rows)
+{
+  BenchPlot plot = BenchPlot::OfErrors(
+    question.Name, question.Title, question.TimeLabel, "error: " + question.ErrorNorm);
+  plot.Question = question.Text;
+  plot.Conditions = question.Conditions;
+  for (const BenchRow& row : rows)
+  {
+    // An error of nothing has no place on a logarithmic axis.
+    if (row.Case != question.Name || !(*row.Error > 0.0))
+    {
+      continue;
+    }
+    if (plot.AllSeries.empty())
+    {
+      plot.Conditions += SizesOf(row);
+    }
+    const std::string setting = row.Parameter.is_null() ? std::string() : row.GetParameterText();
+    plot.AddPoint(row.Method, row.Counts.contains(IsPeer), *row.Seconds, *row.Error, setting);
+    if (row.Counts.contains(IsDefault))
+    {
+      plot.SetDefault(row.Method, setting);
+    }
+  }
+  return plot;
+}
+
+BenchClaim CheckDefaults(const std::vector<Family>& families, const std::vector<BenchRow>& rows)
+{
+  BenchClaim claim;
+  claim.Text = "the default at most 1.1 times the time of what has no larger error";
+  for (const Family& family : families)
+  {
+    if (const auto over = GetCostOverFront(MakePlot(family.Asked, rows)))
+    {
+      claim.Cases.push_back({ family.Asked.Name, *over, *over <= FrontTolerance });
+    }
+  }
+  return claim;
+}
+
+std::string NumberText(double number)
+{
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+}
