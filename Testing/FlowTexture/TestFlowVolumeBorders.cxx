@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkImplicitFlowVolumeMapper between surfaces, over seams, beside surfaces that streamlines come
 // round to, and where paint is small: nothing is mixed, and letters stay legible.
-#include "FlowPictures.h"
+#include "FlowDrawing.h"
 
 #include "Pictures/PictureSettings.h"
 #include "Reference/Checks/ReferenceCheck.h"
@@ -62,8 +62,8 @@ void TestSurfaces(Check& check)
   {
     const double side = x[0] + 0.3 * x[1];
     const bool isReached = x[1] < 0.31 + 0.1 * x[0];
-    return side < 0.03 ? FlowAnswer{ isReached, 3, 0.1, 0.1, 0.0 }
-                       : FlowAnswer{ isReached, 70, 0.9, 0.9, 0.0 };
+    return side < 0.03 ? FlowEnd{ isReached, 3, 0.1, 0.1, 0.0 }
+                       : FlowEnd{ isReached, 70, 0.9, 0.9, 0.0 };
   };
   FlowScene scene = MakeScene(flow, { { 0.0, 0.0, -1.0 } });
   vtkNew<vtkImplicitFlowVolumeMapper> mapper;
@@ -80,7 +80,7 @@ void TestSurfaces(Check& check)
       }));
   const int n = 24;
   const RgbaPicture found = DrawFlow(mapper, MakeFlowVoxels(n, flow), scene);
-  scene.Paint = [](const FlowAnswer& answer) {
+  scene.Paint = [](const FlowEnd& answer) {
     return answer.Id == 3 ? Color4{ { 1, 0, 0, 1 } } : Color4{ { 0, 1, 0, 1 } };
   };
   const RgbaPicture expected = MakeFlowPicture(scene, 100);
@@ -116,8 +116,8 @@ void TestSeam(Check& check, bool isPeriodic)
   const auto flow = [](const Place3& x)
   {
     const double turns = std::atan2(x[1], x[0]) / (2.0 * PI);
-    return FlowAnswer{ std::hypot(x[0], x[1]) > 0.2, 5, turns < 0.0 ? turns + 1.0 : turns,
-      x[2] + 0.5, 0.0 };
+    return FlowEnd{ std::hypot(x[0], x[1]) > 0.2, 5, turns < 0.0 ? turns + 1.0 : turns, x[2] + 0.5,
+      0.0 };
   };
   FlowScene scene = MakeScene(flow, { { 0.0, 0.0, -1.0 } });
   vtkNew<vtkImplicitFlowVolumeMapper> mapper;
@@ -179,7 +179,7 @@ void TestWoundSeam(Check& check)
   const auto flow = [](const Place3& x)
   {
     const double turns = std::atan2(x[1], x[0]) / (2.0 * PI) + 5.0 * std::hypot(x[0], x[1]);
-    return FlowAnswer{ true, 5, turns - std::floor(turns), x[2] + 0.5, 0.0 };
+    return FlowEnd{ true, 5, turns - std::floor(turns), x[2] + 0.5, 0.0 };
   };
   const auto paint = [](double u, double v)
   {
@@ -187,7 +187,7 @@ void TestWoundSeam(Check& check)
       0.01 } };
   };
   FlowScene scene = MakeScene(flow, { { -0.3, 0.4, -0.8 } });
-  scene.Paint = [&](const FlowAnswer& answer) { return paint(answer.U, answer.V); };
+  scene.Paint = [&](const FlowEnd& answer) { return paint(answer.U, answer.V); };
   const RgbaPicture expected = MakeFlowPicture(scene, 400);
   const int n = 41;
   vtkSmartPointer<vtkImageData> voxels = MakeFlowVoxels(n, flow, { { { 5, 1, 0 } } });
@@ -209,7 +209,7 @@ void TestWays(Check& check)
   const auto flow = [](const Place3& x)
   {
     const double angle = std::atan2(x[1], x[0]);
-    return FlowAnswer{ std::hypot(x[0], x[1]) > 0.1, 2, 0.5, 0.5,
+    return FlowEnd{ std::hypot(x[0], x[1]) > 0.1, 2, 0.5, 0.5,
       angle < 0.0 ? angle + 2.0 * PI : angle };
   };
   const int n = 25;
@@ -277,7 +277,7 @@ void TestLetter(Check& check)
     const double turn = 0.8 * time;
     const double a = (x[0] * std::cos(turn) + x[1] * std::sin(turn)) * std::exp(0.2 * time);
     const double b = (x[1] * std::cos(turn) - x[0] * std::sin(turn)) * std::exp(-0.2 * time);
-    return FlowAnswer{ true, 0, 0.5 + 2.0 * a, 0.5 + 2.0 * b, time };
+    return FlowEnd{ true, 0, 0.5 + 2.0 * a, 0.5 + 2.0 * b, time };
   };
   FlowScene scene = MakeScene(flow, { { 0.0, 0.0, -1.0 } });
   scene.Size = { { 160, 160 } };
@@ -289,7 +289,7 @@ void TestLetter(Check& check)
   mapper->SetInflowTexture(0, MakePaint(512, 512, letter));
   KeepSlab(mapper, -0.01, 0.01);
   const RgbaPicture found = DrawFlow(mapper, MakeFlowVoxels(n, flow), scene);
-  scene.Paint = [&](const FlowAnswer& answer) { return letter(answer.U, answer.V); };
+  scene.Paint = [&](const FlowEnd& answer) { return letter(answer.U, answer.V); };
   scene.IsKept = [](const Place3& x) { return std::abs(x[2]) < 0.01; };
   const RgbaPicture expected = MakeFlowPicture(scene, 400);
   int inside = 0;
@@ -312,9 +312,7 @@ void TestLetter(Check& check)
 /// Stripes finer than pixels: grey where they are filtered, and no moire.
 void TestFilter(Check& check)
 {
-  const auto flow = [](const Place3& x) {
-    return FlowAnswer{ true, 0, x[0] + 0.5, x[1] + 0.5, 0.0 };
-  };
+  const auto flow = [](const Place3& x) { return FlowEnd{ true, 0, x[0] + 0.5, x[1] + 0.5, 0.0 }; };
   FlowScene scene = MakeScene(flow, { { 0.0, 0.0, -1.0 } });
   // Twenty times a texel's stripes are opaque on average by half.
   vtkSmartPointer<vtkImageData> stripes = MakePaint(2048, 2,

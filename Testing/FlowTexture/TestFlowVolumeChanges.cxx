@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What vtkImplicitFlowVolumeMapper sends when one thing changes, what it does not have for what is
 // off, and that a picture after many changes is that of a mapper made anew.
-#include "FlowPictures.h"
+#include "FlowDrawing.h"
 
 #include "Pictures/PictureSettings.h"
 #include "Pictures/VolumeStage.h"
@@ -30,7 +30,7 @@ namespace
 
 using namespace reference;
 
-FlowAnswer TwoSurfaces(const Place3& x)
+FlowEnd TwoSurfaces(const Place3& x)
 {
   const bool isLeft = x[0] < 0.1;
   return { x[1] < 0.35, isLeft ? 0 : 8, x[1] + 0.5, x[2] + 0.5, isLeft ? x[0] + 0.6 : x[0] };

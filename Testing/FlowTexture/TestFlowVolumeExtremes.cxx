@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Extremes and bad input of vtkImplicitFlowVolumeMapper, each by its name.
-#include "FlowPictures.h"
+#include "FlowDrawing.h"
 
 #include "Pages/StabilityCase.h"
 #include "Pictures/PictureSettings.h"
@@ -29,7 +29,7 @@ using namespace reference;
 
 const double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
-FlowAnswer Uniform(const Place3& x)
+FlowEnd Uniform(const Place3& x)
 {
   return { true, 0, x[1] + 0.5, x[2] + 0.5, x[0] + 0.5 };
 }
@@ -45,7 +45,7 @@ FlowScene MakeScene()
   FlowScene scene;
   scene.Flow = &Uniform;
   scene.Size = { { 32, 32 } };
-  scene.Paint = [](const FlowAnswer& answer) { return Blob(answer.U, answer.V); };
+  scene.Paint = [](const FlowEnd& answer) { return Blob(answer.U, answer.V); };
   scene.UnitDistance = 0.3;
   scene.Camera = LookAt({ { 0.0, 0.0, 0.0 } }, 0.87, { { -0.5, 0.6, -0.4 } }, false);
   return scene;
@@ -155,7 +155,7 @@ void TestValues(FlowTable& table)
   const auto hole = [](const Place3& x) { return std::abs(x[0]) < 0.2 && x[1] > -0.1; };
   const auto holed = [&](const Place3& x)
   {
-    FlowAnswer answer = Uniform(x);
+    FlowEnd answer = Uniform(x);
     answer.IsReached = !hole(x);
     return answer;
   };
@@ -187,7 +187,7 @@ void TestValues(FlowTable& table)
     }
   }
   FlowScene nothing = MakeScene();
-  const auto none = [](const Place3&) { return FlowAnswer{ false, -1, 0.0, 0.0, 0.0 }; };
+  const auto none = [](const Place3&) { return FlowEnd{ false, -1, 0.0, 0.0, 0.0 }; };
   const RgbaPicture empty = Draw(MakeFlowVoxels(9, none), nothing);
   table.Same("nothing-reached", "no sample reached a surface", empty, empty, 0.0, false);
 
@@ -196,13 +196,13 @@ void TestValues(FlowTable& table)
   mapper->SetDefaultColor(0.2, 0.4, 0.6, 0.5);
   const RgbaPicture plain = DrawFlow(mapper, MakeFlowVoxels(9, &Uniform), scene);
   FlowScene colored = MakeScene();
-  colored.Paint = [](const FlowAnswer&) { return Color4{ { 0.2, 0.4, 0.6, 0.5 } }; };
+  colored.Paint = [](const FlowEnd&) { return Color4{ { 0.2, 0.4, 0.6, 0.5 } }; };
   table.Same("no-texture", "an id without a texture", plain, MakeFlowPicture(colored), 1e-3);
 
   // Places far beyond the texture have its edge.
-  const auto beyond = [](const Place3& x) { return FlowAnswer{ true, 0, 1e6 + x[0], -1e6, 1e30 }; };
+  const auto beyond = [](const Place3& x) { return FlowEnd{ true, 0, 1e6 + x[0], -1e6, 1e30 }; };
   FlowScene edge = MakeScene();
-  edge.Paint = [](const FlowAnswer&) { return Color4{ { 1.0, 0.0, 0.5, 0.4 } }; };
+  edge.Paint = [](const FlowEnd&) { return Color4{ { 1.0, 0.0, 0.5, 0.4 } }; };
   table.Same("places-1e+6", "u and v a million beyond the texture",
     Draw(MakeFlowVoxels(9, beyond), edge,
       MakePaint(8, 8,
@@ -215,7 +215,7 @@ void TestValues(FlowTable& table)
   FlowScene thin = MakeScene();
   // Textures have sixteen bits.
   constexpr double faint = 66.0 / 65535.0;
-  thin.Paint = [=](const FlowAnswer&) { return Color4{ { 1.0, 1.0, 1.0, faint } }; };
+  thin.Paint = [=](const FlowEnd&) { return Color4{ { 1.0, 1.0, 1.0, faint } }; };
   table.Same("alpha-1e-3", "paint of opacity 1e-3, a unit distance of the volume's size / 3",
     Draw(MakeFlowVoxels(9, &Uniform), thin,
       MakePaint(4, 4,
@@ -224,7 +224,7 @@ void TestValues(FlowTable& table)
         })),
     MakeFlowPicture(thin), 2e-6, false);
   FlowScene solid = MakeScene();
-  solid.Paint = [](const FlowAnswer&) { return Color4{ { 0.3, 0.6, 0.9, 1.0 } }; };
+  solid.Paint = [](const FlowEnd&) { return Color4{ { 0.3, 0.6, 0.9, 1.0 } }; };
   table.Same("alpha-1", "opaque paint",
     Draw(MakeFlowVoxels(9, &Uniform), solid,
       MakePaint(4, 4,

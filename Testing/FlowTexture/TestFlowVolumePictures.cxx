@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkImplicitFlowVolumeMapper against pictures that trace each sample of a line of sight by
 // formula: an image through uniform flow, a rotation, a strained flow on finer and finer voxels.
-#include "FlowPictures.h"
+#include "FlowDrawing.h"
 
 #include "Pictures/PictureSettings.h"
 #include "Reference/Checks/ReferenceCheck.h"
@@ -34,7 +34,7 @@ Color4 Blocks(double u, double v)
     (i + 2 * j) % 5 == 0 ? 0.0 : 1.0 } };
 }
 
-FlowAnswer Uniform(const Place3& x)
+FlowEnd Uniform(const Place3& x)
 {
   return { true, 0, x[1] + 0.5, x[2] + 0.5, x[0] + 0.5 };
 }
@@ -68,7 +68,7 @@ void TestImage(Check& check)
     mapper->AddClippingPlane(far);
     const RgbaPicture found = DrawFlow(mapper, voxels, scene);
     scene.Flow = &Uniform;
-    scene.Paint = [&](const FlowAnswer& answer) { return LookUpPaint(paint, answer.U, answer.V); };
+    scene.Paint = [&](const FlowEnd& answer) { return LookUpPaint(paint, answer.U, answer.V); };
     scene.IsKept = [at](const Place3& x) { return std::abs(x[0] - at) < 0.06; };
     const RgbaPicture expected = MakeFlowPicture(scene, 100);
     // Everywhere, edges too, within what is between a texel's neighbours; the mean away from them.
@@ -116,7 +116,7 @@ void TestImage(Check& check)
 }
 
 /// Smooth paint: discs of colour.
-Color4 Discs(const FlowAnswer& answer)
+Color4 Discs(const FlowEnd& answer)
 {
   const double u = std::min(std::max(answer.U, 0.0), 1.0);
   const double v = std::min(std::max(answer.V, 0.0), 1.0);
@@ -133,7 +133,7 @@ vtkSmartPointer<vtkImageData> PaintDiscs()
 }
 
 /// Turns around the z axis, from the half plane of y = 0, x > 0, in 2 pi.
-FlowAnswer Rotation(const Place3& x)
+FlowEnd Rotation(const Place3& x)
 {
   const double radius = std::hypot(x[0], x[1]);
   const double angle = std::atan2(x[1], x[0]);
@@ -141,7 +141,7 @@ FlowAnswer Rotation(const Place3& x)
 }
 
 /// Strained and swirling flow from the plane x = -0.5.
-FlowAnswer Strain(const Place3& x)
+FlowEnd Strain(const Place3& x)
 {
   const double time = x[0] + 0.5;
   const double turn = 1.2 * time;

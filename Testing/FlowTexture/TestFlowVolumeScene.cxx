@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkImplicitFlowVolumeMapper among other props: opaque ones by depth, clipping planes, cropping,
 // several renderers, selection, and the same flow through vtkFlowVolume.
-#include "FlowPictures.h"
+#include "FlowDrawing.h"
 
 #include "Pictures/PictureSettings.h"
 #include "Pictures/VolumeStage.h"
@@ -40,7 +40,7 @@ namespace
 
 using namespace reference;
 
-FlowAnswer Uniform(const Place3& x)
+FlowEnd Uniform(const Place3& x)
 {
   return { true, 0, x[1] + 0.5, x[2] + 0.5, x[0] + 0.5 };
 }
@@ -55,7 +55,7 @@ FlowScene MakeScene()
 {
   FlowScene scene;
   scene.Flow = &Uniform;
-  scene.Paint = [](const FlowAnswer& answer) { return Blob(answer.U, answer.V); };
+  scene.Paint = [](const FlowEnd& answer) { return Blob(answer.U, answer.V); };
   scene.UnitDistance = 0.3;
   scene.Camera = LookAt({ { 0.0, 0.0, 0.0 } }, 0.87, { { -0.5, 0.6, -0.4 } }, false);
   return scene;
@@ -113,7 +113,7 @@ void TestSheets(Check& check)
   const double h = 1.0 / 32.0;
   const auto sheets = [h](const Place3& x)
   {
-    FlowAnswer answer = Uniform(x);
+    FlowEnd answer = Uniform(x);
     answer.IsReached = std::abs(x[0]) < 1.5 * h || std::abs(x[0] - 10.0 * h) < 0.5 * h;
     return answer;
   };

@@ -2,7 +2,7 @@
 // The shadows of vtkImplicitFlowVolumeMapper: what paint takes from light against its formula, the
 // same paint by slices as by lines of sight, what there is without shadows, and pictures after many
 // changes.
-#include "FlowPictures.h"
+#include "FlowDrawing.h"
 
 #include "Pictures/PictureSettings.h"
 #include "Pictures/VolumeStage.h"
@@ -37,7 +37,7 @@ using namespace reference;
 
 constexpr double UnitDistance = 0.1;
 
-FlowAnswer Uniform(const Place3& x)
+FlowEnd Uniform(const Place3& x)
 {
   return { true, 0, x[1] + 0.5, x[2] + 0.5, x[0] + 0.5 };
 }
@@ -183,7 +183,7 @@ void TestFormula(Check& check)
     scene.Flow = &Uniform;
     scene.UnitDistance = UnitDistance;
     scene.Camera = LookAt({ { 0.0, 0.0, 0.0 } }, 0.87, one.Sight, false);
-    scene.Paint = [&one](const FlowAnswer& answer)
+    scene.Paint = [&one](const FlowEnd& answer)
     {
       Color4 color = one.Painted(answer.U, answer.V);
       const double light = color[3] > 0.0 ? 0.1 +
@@ -229,7 +229,7 @@ void TestFormula(Check& check)
   }
 }
 
-FlowAnswer TwoSurfaces(const Place3& x)
+FlowEnd TwoSurfaces(const Place3& x)
 {
   const bool isLeft = x[0] < 0.1;
   return { x[1] < 0.35, isLeft ? 0 : 8, x[1] + 0.5, x[2] + 0.5, isLeft ? x[0] + 0.6 : x[0] };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Soft shadows of a vtkAreaLight on paint: against the mean of many lights by formula, beside a
 // light without extent, and how even light is on sharp edges of dense paint.
-#include "FlowPictures.h"
+#include "FlowDrawing.h"
 
 #include "Pictures/PictureSettings.h"
 #include "Pictures/VolumeStage.h"
@@ -27,7 +27,7 @@ using namespace reference;
 
 constexpr double UnitDistance = 0.1;
 
-FlowAnswer Uniform(const Place3& x)
+FlowEnd Uniform(const Place3& x)
 {
   return { true, 0, x[1] + 0.5, x[2] + 0.5, x[0] + 0.5 };
 }
@@ -112,7 +112,7 @@ FlowScene MakeScene(vtkAreaLight* light, int samples)
   scene.Flow = &Uniform;
   scene.UnitDistance = UnitDistance;
   scene.Camera = LookAt({ { 0.0, 0.0, 0.0 } }, 0.87, { { -0.5, 0.6, -0.4 } }, false);
-  scene.Paint = [places](const FlowAnswer& answer)
+  scene.Paint = [places](const FlowEnd& answer)
   {
     Color4 color = PaintSlabs(answer.U, answer.V);
     double light = 0.0;

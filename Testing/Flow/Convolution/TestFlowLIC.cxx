@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkFlowLIC: values against quadrature by brute force, contrast, coherence along streamlines,
 // where streamlines end, points outside and at rest, kinds of datasets, threads, errors.
+#include "Flows/ReferenceNoise.h"
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Checks/ReferenceExecution.h"
 #include "Reference/Checks/ReferenceMessages.h"
@@ -23,7 +24,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <functional>
 #include <limits>
 #include <string>
@@ -37,57 +37,6 @@ using namespace reference;
 
 constexpr double Pi = 3.14159265358979324;
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-
-// The noise, written down again.
-
-double GetLatticeValue(int seed, const std::int64_t index[3])
-{
-  const auto mix = [](std::uint64_t z)
-  {
-    z += 11400714819323198485u;
-    z ^= z >> 30;
-    z *= 13787848793156543929u;
-    z ^= z >> 27;
-    z *= 10723151780598845931u;
-    return z ^ (z >> 31);
-  };
-  std::uint64_t hash = mix(static_cast<std::uint64_t>(seed));
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    hash = mix(hash + static_cast<std::uint64_t>(index[axis]));
-  }
-  return static_cast<double>(hash >> 11) / 9007199254740992.0;
-}
-
-/// The weight of a lattice point at distance \a t.
-double GetTent(double t)
-{
-  const double a = std::abs(t);
-  return a < 1.0 ? 1.0 - (6.0 * std::pow(a, 5) - 15.0 * std::pow(a, 4) + 10.0 * std::pow(a, 3))
-                 : 0.0;
-}
-
-double GetNoise(const Vector& x, double scale, int seed)
-{
-  std::int64_t first[3];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    first[axis] = static_cast<std::int64_t>(std::floor(x[axis] / scale));
-  }
-  double sum = 0.0;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    double weight = 1.0;
-    std::int64_t index[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      index[axis] = first[axis] + (corner >> axis & 1);
-      weight *= GetTent(x[axis] / scale - static_cast<double>(index[axis]));
-    }
-    sum += weight * GetLatticeValue(seed, index);
-  }
-  return sum;
-}
 
 /// What the filter is asked for.
 struct Setting

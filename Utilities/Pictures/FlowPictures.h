@@ -12,8 +12,6 @@
 
 class vtkCamera;
 class vtkImageData;
-class vtkImplicitFlowVolumeMapper;
-class vtkVolumeProperty;
 
 /**
  * Implicit flow fields by formula, as voxels and as pictures in double precision that no voxel, no
@@ -26,7 +24,7 @@ using Place3 = std::array<double, 3>;
 using Color4 = std::array<double, 4>;
 
 /// Where a place's streamline ends.
-struct FlowAnswer
+struct FlowEnd
 {
   bool IsReached = true;
   int Id = 0;
@@ -35,9 +33,9 @@ struct FlowAnswer
   double Time = 0.0;
 };
 
-using FlowFormula = std::function<FlowAnswer(const Place3&)>;
+using FlowFormula = std::function<FlowEnd(const Place3&)>;
 /// Red, green, blue and opacity in a unit distance.
-using PaintFormula = std::function<Color4(const FlowAnswer&)>;
+using PaintFormula = std::function<Color4(const FlowEnd&)>;
 
 /// The arrays that vtkImplicitFlowField writes, at n^3 points of the cube from -0.5 to 0.5. The
 /// ids are periodic as told, for u and v.
@@ -65,10 +63,6 @@ struct FlowScene
 
 /// The picture of a scene, by so many pieces of each line of sight within the cube.
 RgbaPicture MakeFlowPicture(const FlowScene& scene, int pieces = 4000);
-
-/// The mapper's picture of voxels with the scene's camera and unit distance.
-RgbaPicture DrawFlow(vtkImplicitFlowVolumeMapper* mapper, vtkImageData* voxels,
-  const FlowScene& scene, vtkVolumeProperty* property = nullptr);
 
 }
 

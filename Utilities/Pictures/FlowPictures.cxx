@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FlowPictures.h"
+#include "Pictures/FlowPictures.h"
 
 #include "Pictures/ReferenceRay.h"
-#include "Pictures/VolumeStage.h"
 
 #include "vtkCamera.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
-#include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,11 +52,11 @@ vtkSmartPointer<vtkImageData> MakeFlowVoxels(
   {
     Place3 x;
     image->GetPoint(i, x.data());
-    const FlowAnswer answer = flow(x);
-    status->SetValue(i, answer.IsReached ? 0 : 1);
-    ids->SetValue(i, answer.IsReached ? answer.Id : -1);
-    places->SetTuple2(i, answer.IsReached ? answer.U : 0.0, answer.IsReached ? answer.V : 0.0);
-    times->SetValue(i, answer.Time);
+    const FlowEnd end = flow(x);
+    status->SetValue(i, end.IsReached ? 0 : 1);
+    ids->SetValue(i, end.IsReached ? end.Id : -1);
+    places->SetTuple2(i, end.IsReached ? end.U : 0.0, end.IsReached ? end.V : 0.0);
+    times->SetValue(i, end.Time);
   }
   auto* periods = AddArray<vtkIntArray>(
     image->GetFieldData(), "TerminationSurfaces", 3, static_cast<vtkIdType>(surfaces.size()));
@@ -150,12 +147,12 @@ RgbaPicture MakeFlowPicture(const FlowScene& scene, int pieces)
               x[axis] = static_cast<double>(ray.Origin[axis]) +
                 (lower + (k + 0.5) * length) * static_cast<double>(ray.Direction[axis]);
             }
-            const FlowAnswer answer = scene.Flow(x);
-            if (!answer.IsReached || (scene.IsKept && !scene.IsKept(x)))
+            const FlowEnd end = scene.Flow(x);
+            if (!end.IsReached || (scene.IsKept && !scene.IsKept(x)))
             {
               continue;
             }
-            const Color4 paint = scene.Paint(answer);
+            const Color4 paint = scene.Paint(end);
             const double opacity = 1.0 - std::pow(1.0 - paint[3], length / scene.UnitDistance);
             const double left = 1.0 - pixel[3];
             for (int c = 0; c < 4; ++c)
@@ -166,21 +163,6 @@ RgbaPicture MakeFlowPicture(const FlowScene& scene, int pieces)
         }
       }
     });
-  return picture;
-}
-
-RgbaPicture DrawFlow(vtkImplicitFlowVolumeMapper* mapper, vtkImageData* voxels,
-  const FlowScene& scene, vtkVolumeProperty* property)
-{
-  vtkNew<vtkVolumeProperty> plain;
-  vtkVolumeProperty* used = property ? property : plain.Get();
-  used->SetScalarOpacityUnitDistance(scene.UnitDistance);
-  mapper->SetInputData(static_cast<vtkDataSet*>(voxels));
-  VolumeStage stage(scene.Size);
-  stage.SetVolume(mapper, used);
-  stage.SetCamera(scene.Camera);
-  const RgbaPicture picture = stage.Capture();
-  mapper->ReleaseGraphicsResources(nullptr);
   return picture;
 }
 
