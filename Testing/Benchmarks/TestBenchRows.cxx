@@ -113,6 +113,12 @@ void CheckMethods(const nlohmann::json& rows)
       { "advection", "RK4", "RK45", "equal-error streamtracer-RK4", "equal-error streamtracer-RK45",
         "equal-error-again streamtracer-RK4", "threads-2 threads-1" } },
     { "flow-sharing", { "shared all streamlines" } },
+    { "filter-errors",
+      { "isotable, image", "isotable, hexahedra", "flyingedges, image",
+        "contour3dlinear, hexahedra", "hexahedra", "tetrahedra-5", "tetrahedra-6",
+        "vtkFlowCriticalPoints", "vtkVectorFieldTopology", "a plane for each layer", "five planes",
+        "vtkStreamSurfaceParameters", "Hann", "box", "vtkConstructiveVolume", "one sample a voxel",
+        "4^3 samples a voxel" } },
     { "growth",
       { "growth", "growth without", "time exponent", "memory exponent", "wall exponent",
         "computed: interval volume of each step", "computed: in time, slab by slab",
@@ -131,6 +137,43 @@ void CheckMethods(const nlohmann::json& rows)
       Expect(seen[suite.first].count(method) == 1, "no row " + suite.first + " " + method);
     }
   }
+}
+
+/// Every question of the suites that have them: ways to compare, errors, and one default.
+void CheckQuestions(const nlohmann::json& rows)
+{
+  const std::set<std::string> wanted = {
+    "contour-error",
+    "table-routes",
+    "critical-points",
+    "vortex-axis",
+    "stream-surface-resolution",
+    "lic-step",
+    "lic-length",
+    "source-samples",
+    "source-voxels",
+  };
+  std::map<std::string, int> ways;
+  std::map<std::string, int> defaults;
+  for (const auto& row : rows)
+  {
+    const std::string suite = row.at("suite");
+    if (suite != "filter-errors")
+    {
+      continue;
+    }
+    const std::string name = row.at("case");
+    Expect(row.contains("error") && row.contains("seconds"), "no error or time in " + row.dump());
+    Expect(row.at("error") < 10.0, "all of it wrong: " + row.dump());
+    ++ways[name];
+    defaults[name] += row.contains("counts") && row["counts"].contains("default") ? 1 : 0;
+  }
+  for (const std::string& name : wanted)
+  {
+    Expect(ways[name] > 1, "nothing to compare in " + name);
+    Expect(defaults[name] == 1, std::to_string(defaults[name]) + " defaults of " + name);
+  }
+  Expect(ways.size() == wanted.size(), "a question that no name is wanted of");
 }
 }
 
@@ -160,5 +203,6 @@ int main(int argc, char* argv[])
     Expect(results.at("suites").contains(suite), "nothing said of the suite " + suite);
   }
   CheckMethods(results.at("rows"));
+  CheckQuestions(results.at("rows"));
   return Right ? EXIT_SUCCESS : EXIT_FAILURE;
 }

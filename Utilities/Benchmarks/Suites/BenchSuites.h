@@ -20,6 +20,7 @@ std::unique_ptr<BenchSuite> MakeFlowSuite();
 std::unique_ptr<BenchSuite> MakeFlowSpeedSuite();
 std::unique_ptr<BenchSuite> MakeFlowSharingSuite();
 std::unique_ptr<BenchSuite> MakeFlowTextureSuite();
+std::unique_ptr<BenchSuite> MakeFilterErrorsSuite();
 std::unique_ptr<BenchSuite> MakeGrowthSuite();
 
 /**

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef FilterFamilies_h
+#define FilterFamilies_h
+
+#include "Benchmarks/Approximations/Approximation.h"
+
+/**
+ * The questions of the suite `filter-errors`: results of filters against formulas.
+ */
+namespace approximations
+{
+/// vtkIsotableContour by points of the grid, beside vtkFlyingEdges3D and vtkContour3DLinearGrid.
+Family MakeContourFamily();
+/// vtkTimeVaryingIntervalVolume on hexahedra and on tetrahedra, by points of the grid.
+Family MakeTableRouteFamily();
+
+/// vtkFlowCriticalPoints by points of the grid, beside vtkVectorFieldTopology.
+Family MakeCriticalPointFamily();
+/// vtkVortexAxis by points of the grid.
+Family MakeVortexAxisFamily();
+/// vtkStreamSurfaceParameters by Resolution.
+Family MakeStreamSurfaceFamily();
+
+/// vtkFlowLIC by StepLength.
+Family MakeLicStepFamily();
+/// vtkFlowLIC by Length and Kernel.
+Family MakeLicLengthFamily();
+
+/// vtkConstructiveVolume by NumberOfSubsamples, and by points of the image.
+Family MakeSourceSampleFamily();
+Family MakeSourceVoxelFamily();
+}
+
+#endif
