@@ -119,6 +119,11 @@ void CheckMethods(const nlohmann::json& rows)
         "vtkFlowCriticalPoints", "vtkVectorFieldTopology", "a plane for each layer", "five planes",
         "vtkStreamSurfaceParameters", "Hann", "box", "vtkConstructiveVolume", "one sample a voxel",
         "4^3 samples a voxel" } },
+    { "picture-errors",
+      { "opengl", "software", "projectedtetrahedra", "bilinear", "nearest", "slices", "gpu",
+        "three channels", "one channel", "float", "unsigned char", "5 steps, in time",
+        "5 steps, on each other", "paint filtered", "paint looked up once", "lines",
+        "averaged levels, lines" } },
     { "growth",
       { "growth", "growth without", "time exponent", "memory exponent", "wall exponent",
         "computed: interval volume of each step", "computed: in time, slab by slab",
@@ -142,23 +147,17 @@ void CheckMethods(const nlohmann::json& rows)
 /// Every question of the suites that have them: ways to compare, errors, and one default.
 void CheckQuestions(const nlohmann::json& rows)
 {
-  const std::set<std::string> wanted = {
-    "contour-error",
-    "table-routes",
-    "critical-points",
-    "vortex-axis",
-    "stream-surface-resolution",
-    "lic-step",
-    "lic-length",
-    "source-samples",
-    "source-voxels",
-  };
+  const std::set<std::string> wanted = { "contour-error", "table-routes", "critical-points",
+    "vortex-axis", "stream-surface-resolution", "lic-step", "lic-length", "source-samples",
+    "source-voxels", "sort-mode", "blend-mode", "light-lookup", "image-sample-distance",
+    "coloured-transmission", "texel-rounding", "time-volume-pictures", "flow-texture-voxels",
+    "flow-texture-samples", "streamline-texture" };
   std::map<std::string, int> ways;
   std::map<std::string, int> defaults;
   for (const auto& row : rows)
   {
     const std::string suite = row.at("suite");
-    if (suite != "filter-errors")
+    if (suite != "filter-errors" && suite != "picture-errors")
     {
       continue;
     }

@@ -18,6 +18,7 @@ std::vector<std::unique_ptr<BenchSuite>> MakeAllSuites()
   suites.push_back(MakeFlowSharingSuite());
   suites.push_back(MakeFlowTextureSuite());
   suites.push_back(MakeFilterErrorsSuite());
+  suites.push_back(MakePictureErrorsSuite());
   suites.push_back(MakeGrowthSuite());
   return suites;
 }

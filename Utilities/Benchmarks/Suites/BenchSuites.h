@@ -21,6 +21,7 @@ std::unique_ptr<BenchSuite> MakeFlowSpeedSuite();
 std::unique_ptr<BenchSuite> MakeFlowSharingSuite();
 std::unique_ptr<BenchSuite> MakeFlowTextureSuite();
 std::unique_ptr<BenchSuite> MakeFilterErrorsSuite();
+std::unique_ptr<BenchSuite> MakePictureErrorsSuite();
 std::unique_ptr<BenchSuite> MakeGrowthSuite();
 
 /**
