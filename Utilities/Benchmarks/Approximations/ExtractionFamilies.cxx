@@ -81,9 +81,9 @@ void AddContourRows(const Question& question, const BenchOptions& options, Bench
         { return MeasureLevel(vtkDataSet::SafeDownCast(work()), gyroid, value); });
     };
     add("isotable, image", points == sizes.back() ? Maker::Default : Maker::Own,
-      [image, value]() { return methods::IsotableContour(image, value); });
+      [image, value]() { return methods::IsotableContour(image, value, true); });
     add("isotable, hexahedra", Maker::Own,
-      [grid, value]() { return methods::IsotableContour(grid, value); });
+      [grid, value]() { return methods::IsotableContour(grid, value, true); });
     add("flyingedges, image", Maker::Peer,
       [image, value]() { return methods::FlyingEdges(image, value); });
     add("contour3dlinear, hexahedra", Maker::Peer,
