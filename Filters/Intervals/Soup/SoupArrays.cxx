@@ -21,7 +21,8 @@ class SoupArrays::Writer
 public:
   virtual ~Writer() = default;
   /// Appends the values of \a points to those of a part.
-  virtual void Interpolate(const std::vector<ExtractionPoint>& points, SoupPart& part) const = 0;
+  virtual void Interpolate(
+    const ExtractionPoint* points, std::size_t number, SoupPart& part) const = 0;
   virtual void Allocate(vtkIdType corners) const = 0;
   /// Copies the values of a part's entries to its corners.
   virtual void Write(SoupPart& part, vtkIdType first) const = 0;
@@ -66,9 +67,10 @@ public:
   {
   }
 
-  void Interpolate(const std::vector<ExtractionPoint>& points, SoupPart& part) const override
+  void Interpolate(const ExtractionPoint* points, std::size_t number, SoupPart& part) const override
   {
-    this->WithComponents([&](auto known) { this->template Interpolate<known()>(points, part); });
+    this->WithComponents(
+      [&](auto known) { this->template InterpolateAll<known()>(points, number, part); });
   }
 
   void Allocate(vtkIdType corners) const override
@@ -99,15 +101,16 @@ private:
   }
 
   template <int Known>
-  void Interpolate(const std::vector<ExtractionPoint>& points, SoupPart& part) const
+  void InterpolateAll(const ExtractionPoint* points, std::size_t number, SoupPart& part) const
   {
     const int size = Known ? Known : this->Components;
     std::vector<Out>& values = part.GetValues<Out>();
     const std::size_t place = values.size();
-    values.resize(place + size * points.size());
+    values.resize(place + size * number);
     Out* value = values.data() + place;
-    for (const ExtractionPoint& point : points)
+    for (std::size_t p = 0; p < number; ++p)
     {
+      const ExtractionPoint& point = points[p];
       for (int c = 0; c < size; ++c)
       {
         *value++ = Interpolation::Between<Out>(
@@ -195,17 +198,18 @@ void SoupArrays::AddWriter(vtkDataArray* in, vtkDataArray* out)
 
 SoupPart SoupArrays::Interpolate(const SoupBuilder& builder) const
 {
-  const std::vector<ExtractionPoint>& points = builder.GetPoints();
+  const ExtractionPoint* points = builder.GetPoints();
+  const std::size_t number = builder.GetNumberOfPoints();
   SoupPart part;
   part.Corners = builder.GetCorners();
-  part.NumberOfEntries = points.size();
-  part.Floats.reserve(this->FloatComponents * points.size());
-  part.Doubles.reserve(this->DoubleComponents * points.size());
+  part.NumberOfEntries = number;
+  part.Floats.reserve(this->FloatComponents * number);
+  part.Doubles.reserve(this->DoubleComponents * number);
   for (const auto& writer : this->Writers)
   {
-    writer->Interpolate(points, part);
+    writer->Interpolate(points, number, part);
   }
-  for (std::size_t p = 0; this->HasOthers && p < points.size(); ++p)
+  for (std::size_t p = 0; this->HasOthers && p < number; ++p)
   {
     part.Nearer.push_back(points[p].Near);
   }

@@ -28,25 +28,37 @@ public:
   /// Begins a part without triangles.
   void Begin()
   {
-    this->Points.clear();
+    this->Number = 0;
     this->Corners.clear();
-    this->Keys.clear();
+  }
+
+  /// Makes sure that the points of one cut more find room.
+  void Reserve()
+  {
+    if (this->Number + vtkIsotable::MaximumNumberOfSlots > this->Points.size())
+    {
+      this->Points.resize(2 * this->Points.size() + vtkIsotable::MaximumNumberOfSlots);
+      this->Keys.resize(this->Points.size());
+    }
   }
 
   /// Returns the index of a point, which is given as in CrossingLists.
   Index Enter(vtkIdType owner, CrossingKey key)
   {
-    const Key wanted{ owner, key };
-    Index& recent = this->Recent[wanted.GetHash()];
-    if (recent < this->Keys.size() && this->Keys[recent] == wanted)
+    Index& recent = this->Recent[GetHash(owner, key)];
+    const Index at = recent;
+    if (at < this->Number && this->Keys[at].Owner == owner && this->Keys[at].Crossing == key)
     {
-      return recent;
+      return at;
     }
-    recent = static_cast<Index>(this->Keys.size());
-    this->Keys.push_back(wanted);
-    this->Points.push_back(key == CrossingKey()
-        ? ExtractionPoint{ owner, owner, 0.0 }
-        : ExtractionPoint{ owner, key.GetFar(), static_cast<double>(key.GetValue()) });
+    recent = this->Number++;
+    this->Keys[recent].Owner = owner;
+    this->Keys[recent].Crossing = key;
+    const bool isCrossing = key != CrossingKey();
+    ExtractionPoint& point = this->Points[recent];
+    point.Near = owner;
+    point.Far = isCrossing ? key.GetFar() : owner;
+    point.Weight = static_cast<double>(key.GetValue());
     return recent;
   }
 
@@ -66,8 +78,12 @@ public:
     }
   }
 
-  std::vector<ExtractionPoint>& GetPoints() { return this->Points; }
-  const std::vector<ExtractionPoint>& GetPoints() const { return this->Points; }
+  ///@{
+  /// Return the points and their number.
+  ExtractionPoint* GetPoints() { return this->Points.data(); }
+  const ExtractionPoint* GetPoints() const { return this->Points.data(); }
+  std::size_t GetNumberOfPoints() const { return this->Number; }
+  ///@}
   /// Returns the points of the corners, three for each triangle.
   const std::vector<Index>& GetCorners() const { return this->Corners; }
 
@@ -78,23 +94,20 @@ private:
   {
     vtkIdType Owner;
     CrossingKey Crossing;
-
-    bool operator==(const Key& other) const
-    {
-      return this->Owner == other.Owner && this->Crossing == other.Crossing;
-    }
-
-    std::size_t GetHash() const
-    {
-      const auto owner = static_cast<std::uint64_t>(this->Owner);
-      const auto far = static_cast<std::uint64_t>(this->Crossing.GetFar());
-      const auto value = static_cast<std::uint64_t>(this->Crossing.GetValue());
-      return (0x9E3779B97F4A7C15u * (3 * owner + far + value)) >> (64 - TableBits);
-    }
   };
 
+  static std::size_t GetHash(vtkIdType owner, CrossingKey crossing)
+  {
+    const auto far = static_cast<std::uint64_t>(crossing.GetFar());
+    const auto value = static_cast<std::uint64_t>(crossing.GetValue());
+    const std::uint64_t sum = 3 * static_cast<std::uint64_t>(owner) + far + value;
+    return (0x9E3779B97F4A7C15u * sum) >> (64 - TableBits);
+  }
+
+  // There is room for more than the points that there are.
   std::vector<ExtractionPoint> Points;
   std::vector<Key> Keys;
+  Index Number = 0;
   std::vector<Index> Corners;
   std::array<Index, std::size_t(1) << TableBits> Recent{};
 };

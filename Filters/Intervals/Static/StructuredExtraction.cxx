@@ -152,7 +152,13 @@ public:
     , SimplexSize(context.GetSimplexSize())
     , KeyInside(static_cast<Code>(ExtractionCell::GetKeyInside(8)))
     , WholeType(GetTypeInRows(context.Input))
+    , PointsBelow(1, 0)
   {
+    for (int code = 0; code <= this->Values.GetNonFiniteCode(); ++code)
+    {
+      this->PointsBelow.push_back(
+        this->PointsBelow.back() + this->Values.IsPoint(static_cast<Code>(code)));
+    }
   }
 
   bool Execute()
@@ -339,10 +345,7 @@ private:
     Code* second = owners.Offsets[1].data() + begin;
     Code* third = owners.Offsets[2].data() + begin;
     Code* all = owners.Counts.data() + begin;
-    for (vtkIdType i = 0; i < number; ++i)
-    {
-      first[i] = this->Values.IsPoint(c[i]);
-    }
+    this->FindPoints(here, c, number, first);
     if (here.IsFinite && along.IsFinite && above.IsFinite)
     {
       RowKernels::CountOwned(c, alongJ, alongK, number, first, second, third, all);
@@ -354,6 +357,22 @@ private:
       second[i] = static_cast<Code>(first[i] + this->Values.CountCrossings(c[i], next));
       third[i] = static_cast<Code>(second[i] + this->Values.CountCrossings(c[i], alongJ[i]));
       all[i] = static_cast<Code>(third[i] + this->Values.CountCrossings(c[i], alongK[i]));
+    }
+  }
+
+  // Notes which grid points are points of the output. Mostly none of a row is, or all are.
+  void FindPoints(const CodeRow& row, const Code* codes, vtkIdType number, Code* arePoints) const
+  {
+    const int range = row.Maximum + 1 - row.Minimum;
+    const int points = this->PointsBelow[row.Maximum + 1] - this->PointsBelow[row.Minimum];
+    if (points == 0 || points == range)
+    {
+      std::fill_n(arePoints, number, static_cast<Code>(points != 0));
+      return;
+    }
+    for (vtkIdType i = 0; i < number; ++i)
+    {
+      arePoints[i] = this->Values.IsPoint(codes[i]);
     }
   }
 
@@ -498,6 +517,7 @@ private:
     const Code* here = this->GetCodes(local, j, k).Codes;
     const Code* along = j + 1 < this->Ny ? this->GetCodes(local, j + 1, k).Codes : here;
     const Code* above = k + 1 < this->Nz ? this->GetCodes(local, j, k + 1).Codes : here;
+    const vtkIdType first = this->Rows.GetFirstPoint(row);
     for (vtkIdType i = owners.Range.First; i < owners.Range.Last; ++i)
     {
       if (owners.Counts[i] == 0)
@@ -505,7 +525,7 @@ private:
         i = ExtractionKernels::FindChange(owners.Counts.data(), i, owners.Range.Last) - 1;
         continue;
       }
-      const vtkIdType id = this->Rows.GetFirstPoint(row) + i;
+      const vtkIdType id = first + i;
       if (this->Values.IsPoint(here[i]))
       {
         *out++ = { id, id, 0.0 };
@@ -1107,6 +1127,8 @@ private:
   // The key of a cell inside of an interval, and the type that it is passed on as.
   Code KeyInside;
   unsigned char WholeType;
+  // For each code the number of smaller ones of which grid points are points of the output.
+  std::vector<int> PointsBelow;
   std::vector<RowCount> Offsets;
   // The columns [first, last) of a row of cells that give output.
   std::vector<std::array<vtkIdType, 2>> Columns;

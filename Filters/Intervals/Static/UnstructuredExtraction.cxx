@@ -465,9 +465,10 @@ private:
   // Interpolates the points of a chunk's triangles, which are in the cache by now.
   void KeepSoup(SoupBuilder& soup, Chunk& chunk) const
   {
-    std::vector<ExtractionPoint>& points = soup.GetPoints();
-    this->Scalars->Place(points.data(), static_cast<vtkIdType>(points.size()));
-    this->Order.SortHalfwayInThread(points.data(), points.data() + points.size());
+    ExtractionPoint* const points = soup.GetPoints();
+    const std::size_t number = soup.GetNumberOfPoints();
+    this->Scalars->Place(points, static_cast<vtkIdType>(number));
+    this->Order.SortHalfwayInThread(points, points + number);
     chunk.Soup = this->Context.Soup->Interpolate(soup);
   }
 
@@ -592,6 +593,7 @@ private:
     const Cell& cell, const Item& item, const Cut& cut, bool isInverted, SoupBuilder& soup) const
   {
     SoupPart::Index points[vtkIsotable::MaximumNumberOfSlots];
+    soup.Reserve();
     for (std::size_t s = 0; s < cut.NumberOfSlots; ++s)
     {
       vtkIdType owner;
