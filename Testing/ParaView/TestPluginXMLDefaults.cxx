@@ -336,7 +336,8 @@ int main(int argc, char* argv[])
   vtkNew<vtkIsotableContour> contour;
   Check(contour->GetNumberOfContours() == 0, "vtkIsotableContour starts without a value");
   CompareWithXML(folder + "/IsotableContour.xml", "SourceProxy", "vtkIsotableContour", "",
-    { { "OutputPointsPrecision", Text(contour->GetOutputPointsPrecision()) },
+    { { "MergePoints", Text(contour->GetMergePoints()) },
+      { "OutputPointsPrecision", Text(contour->GetOutputPointsPrecision()) },
       { "ReportBalance", Text(contour->GetReportBalance()) },
       { "UseValueIndex", Text(contour->GetUseValueIndex()) } });
 
