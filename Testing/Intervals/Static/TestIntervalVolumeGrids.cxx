@@ -61,6 +61,12 @@ int TestIntervalVolumeGrids(int, char*[])
     AddIntegerField(data, 4, 1);
     CheckForms(data, { { 0, 1 }, { 1, 2 }, { 2.5, 3 } }, { 1, 1.5, 3 },
       one.Name + ", integer values", check);
+    // Rows of cells that are inside from one end to the other.
+    const double* center = data->GetCenter();
+    AddLinearField(
+      data, { 0.55 - 0.01 * center[0] - 0.02 * center[1] - 0.2 * center[2], { 0.01, 0.02, 0.2 } });
+    CheckForms(
+      data, { { 0.2, 0.5 }, { 0.5, 0.9 } }, { 0.3, 0.8 }, one.Name + ", rows inside", check);
   }
   return check.Result();
 }
