@@ -29,8 +29,8 @@ namespace
 
 using namespace reference;
 
-constexpr int Cells = 24;
-constexpr int NumberOfSteps = 40;
+constexpr int Cells = 20;
+constexpr int NumberOfSteps = 30;
 
 using Grids = std::vector<vtkSmartPointer<vtkUnstructuredGrid>>;
 
