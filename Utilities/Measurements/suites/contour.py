@@ -12,8 +12,10 @@ HEXAHEDRA = {"method": "isotable-hexahedra", **ONE}
 TABLES = {
     "contour.speed": Table("contour", [
         ("triangles", count("triangles", peer="contour3dlinear", **HEXAHEDRA)),
-        ("hexahedra: against `vtkContour3DLinearGrid`", ratio(peer="contour3dlinear", **HEXAHEDRA)),
-        ("the same with `MergePoints`", ratio(peer="contour3dlinear-merge", **HEXAHEDRA)),
+        ("hexahedra, points not shared: against `vtkContour3DLinearGrid`",
+         ratio(peer="contour3dlinear", method="isotable-hexahedra-unmerged", **ONE)),
+        ("points shared, against its points not shared", ratio(peer="contour3dlinear", **HEXAHEDRA)),
+        ("points shared by both", ratio(peer="contour3dlinear-merge", **HEXAHEDRA)),
         ("image data: against `vtkFlyingEdges3D`", ratio(method="isotable-image", peer="flyingedges", **ONE))],
         head="data", names=DATA, **HEXAHEDRA),
 }

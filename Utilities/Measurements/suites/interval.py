@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Suite interval: vtkIntervalVolume."""
 
-from measured_cells import Cell, count, error, error_of, mebibytes_of_kib, percent, ratio, short, slower, time
+from measured_cells import Cell, count, error, error_of, mebibytes_of_kib, peer_time, percent, ratio, short, slower, time
 from measured_tables import Table
 
 from .data_names import DATA
@@ -28,6 +28,22 @@ def re_extracted(place):
         method="re-extract", case=lambda name: name is not None and name.endswith("-" + place))
 
 
+DRAGS = {f"{case}-{place}": f"{words}, {place}" for place in ("low", "middle", "high")
+         for case, words in {"bonsai": "bonsai", "head-ct-256": "CT head"}.items()}
+
+
+def dragged(method):
+    fields = {"method": method, "parameter": "2 threads"}
+    kept = {**fields, "peer": "new-memory"}
+    return Table("interval", [
+        ("cells that change", count("share", percent, **kept)),
+        ("tetrahedra", count("tetrahedra", **kept)),
+        ("time", peer_time(**kept)),
+        ("with `KeepMemory`", time(**kept)),
+        ("a copy of the output", peer_time(**fields, peer="copy"))],
+        head="data, place of the bound in the range", names=DRAGS, **kept)
+
+
 def errors(field):
     def columns(method):
         return [(f"{method}: volume", error_of(case=field, method=method, **VOLUME)),
@@ -47,6 +63,8 @@ TABLES = {
         head="data", names=DATA, **CLIP),
     "interval.end": re_extracted("end"),
     "interval.middle": re_extracted("middle"),
+    "interval.drag": dragged("drag"),
+    "interval.drag-tied": dragged("drag-tied"),
     "interval.memory": Table("interval", [
         ("output, MiB", count("output_kib", mebibytes_of_kib, method="memory", parameter="unstructured")),
         ("growth / output, structured", count("peak_share", method="memory", parameter="structured")),

@@ -14,8 +14,9 @@ CONTOURS = [
      "rows": [{"case": "wavelet-97", "method": "isotable-image", "parameter": "1 thread", "peer": "flyingedges"}]},
     {"suite": "contour", "work": "isosurface of unstructured hexahedra", "data": "wavelet",
      "peer": "`vtkContour3DLinearGrid`, points not shared / shared",
-     "rows": [{"case": "wavelet-97", "method": "isotable-hexahedra", "parameter": "1 thread", "peer": peer}
-              for peer in ("contour3dlinear", "contour3dlinear-merge")]}]
+     "rows": [{"case": "wavelet-97", "method": method, "parameter": "1 thread", "peer": peer}
+              for method, peer in (("isotable-hexahedra-unmerged", "contour3dlinear"),
+                                   ("isotable-hexahedra", "contour3dlinear-merge"))]}]
 TETRAHEDRA = [{
     "suite": "tetrahedra", "work": f"tetrahedra as a volume, {words}",
     "data": " / ".join(SIZES.values()) + " tetrahedra, 512², llvmpipe, two threads",
