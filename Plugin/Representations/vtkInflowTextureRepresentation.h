@@ -3,6 +3,7 @@
 #define vtkInflowTextureRepresentation_h
 
 #include "InterlumeRepresentationsModule.h" // for the export macro
+#include "vtkCroppingBox.h"                 // for the box
 #include "vtkImageVolumeRepresentation.h"
 #include "vtkNew.h"          // for the mapper
 #include "vtkSmartPointer.h" // for textures
@@ -89,6 +90,9 @@ public:
   void SetImageSampleDistance(double distance);
   ///@}
 
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
+
 protected:
   vtkInflowTextureRepresentation();
   ~vtkInflowTextureRepresentation() override;
@@ -101,6 +105,7 @@ private:
   vtkInflowTextureRepresentation(const vtkInflowTextureRepresentation&) = delete;
   void operator=(const vtkInflowTextureRepresentation&) = delete;
 
+  vtkCroppingBox CroppingBox;
   vtkNew<vtkImplicitFlowVolumeMapper> Mapper;
   vtkNew<vtkPiecewiseFunction> Gate;
   vtkNew<vtkPiecewiseFunction> Opacity;

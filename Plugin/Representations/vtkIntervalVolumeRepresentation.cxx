@@ -243,7 +243,9 @@ void vtkIntervalVolumeRepresentation::GatherPieces(bool isReduced)
 {
   vtkMultiProcessController* controller = vtkPieceProcesses::Find(this->GetView(), isReduced);
   const bool hasDisplays = vtkPieceProcesses::HaveDisplays();
-  this->IsOnePicture = this->Mapper->GatherPieces(hasDisplays ? nullptr : controller);
+  auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
+  this->IsOnePicture = this->Mapper->GatherPieces(
+    hasDisplays ? nullptr : controller, view ? view->GetRenderWindow() : nullptr);
   if (!controller || this->IsOnePicture)
   {
     return;

@@ -31,12 +31,13 @@ class vtkVolumeFunctions;
  *
  * With several processes the blend modes that need no order make one picture of all pieces,
  * wherever these are (see vtkTimeWeightedTetrahedraMapper::GatherPieces), the same as with one
- * process. For COMPOSITE_BLEND ParaView lays the pictures of the processes over each other in
- * order, and redistributes the tetrahedra before where the boxes around pieces overlap; what
- * straddles two regions is then drawn in one of them. Where the processes cannot send each other
- * grids (see vtkGridExchange), each draws its own; that, and tetrahedra with an extent in time,
- * which overlap and have no order, is warned of once. On a tiled display pieces make no picture
- * together, with a warning.
+ * process; so does COMPOSITE_BLEND of pieces in boxes that planes part, where the processes draw in
+ * software. Elsewhere ParaView lays the pictures of the processes over each other for
+ * COMPOSITE_BLEND, each rounded to 8 bits, and redistributes the tetrahedra before where the boxes
+ * around pieces overlap; what straddles two regions is then drawn in one of them. Where the
+ * processes cannot send each other grids (see vtkGridExchange), each draws its own; that, and
+ * tetrahedra with an extent in time, which overlap and have no order, is warned of once. On a tiled
+ * display pieces make no picture together, with a warning.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkIntervalVolumeRepresentation
   : public vtkUnstructuredGridVolumeRepresentation

@@ -2,7 +2,6 @@
 #include "vtkLitVolumeRepresentation.h"
 
 #include "vtkAreaLight.h"
-#include "vtkCroppingPlanes.h"
 #include "vtkProjectiveLight.h"
 #include "vtkTextureImage.h"
 
@@ -184,11 +183,24 @@ bool vtkLitVolumeRepresentation::RemoveFromView(vtkView* view)
   return this->Superclass::RemoveFromView(view);
 }
 
+int vtkLitVolumeRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0;
+  }
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    this->CroppingBox.Gather(this->DataBounds);
+  }
+  return 1;
+}
+
 void vtkLitVolumeRepresentation::UpdateMapperParameters()
 {
   this->Superclass::UpdateMapperParameters();
-  vtkCroppingPlanes(
-    this->VolumeMapper, this->DataBounds, this->CroppingOrigin, this->CroppingScale);
+  this->CroppingBox.Apply(this->VolumeMapper, this->CroppingOrigin, this->CroppingScale);
   this->Projector->SetImage(vtkTextureImage(this->ProjectorImage));
   this->Lamp->SetEmitter(vtkTextureImage(this->LampImage));
 }

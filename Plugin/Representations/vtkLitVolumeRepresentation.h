@@ -3,6 +3,7 @@
 #define vtkLitVolumeRepresentation_h
 
 #include "InterlumeRepresentationsModule.h" // for the export macro
+#include "vtkCroppingBox.h"                 // for the box
 #include "vtkImageVolumeRepresentation.h"
 #include "vtkNew.h"          // for the lights
 #include "vtkSmartPointer.h" // for the textures
@@ -84,6 +85,8 @@ public:
    */
   void SetAreaLightShadows(bool shadows);
 
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
   void SetVisibility(bool visible) override;
 
 protected:
@@ -101,6 +104,7 @@ private:
   /// Switches the lights.
   void UpdateLights();
 
+  vtkCroppingBox CroppingBox;
   vtkNew<vtkProjectiveLight> Projector;
   vtkNew<vtkAreaLight> Lamp;
   vtkSmartPointer<vtkTexture> ProjectorImage;

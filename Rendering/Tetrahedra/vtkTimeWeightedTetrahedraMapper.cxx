@@ -7,8 +7,8 @@
 #include "Pieces/PieceExchange.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkBoundingBox.h"
 #include "vtkCellData.h"
-#include "vtkCommunicator.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDepthPeels.h"
@@ -16,10 +16,12 @@
 #include "vtkInformation.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSoftwareOpenGL.h"
 #include "vtkTexture.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
@@ -27,7 +29,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -196,40 +201,73 @@ bool vtkTimeWeightedTetrahedraMapper::HasExtentInTime(vtkDataSet* data) const
   return data && !extent.empty() && data->GetPointData()->HasArray(extent.c_str());
 }
 
-bool vtkTimeWeightedTetrahedraMapper::GatherPieces(vtkMultiProcessController* controller)
+bool vtkTimeWeightedTetrahedraMapper::DrawsInSoftware(vtkRenderWindow* window) const
+{
+  auto* openGL = vtkOpenGLRenderWindow::SafeDownCast(window);
+  if (this->RenderPath != AUTOMATIC_PATH || !openGL)
+  {
+    return this->RenderPath == SOFTWARE_PATH;
+  }
+  // Before the first picture the window has no context to ask.
+  openGL->Initialize();
+  return vtkSoftwareOpenGL::IsUsed(openGL);
+}
+
+bool vtkTimeWeightedTetrahedraMapper::GatherPieces(
+  vtkMultiProcessController* controller, vtkRenderWindow* window)
 {
   this->Pieces.reset();
-  if (!controller || controller->GetNumberOfProcesses() < 2 || this->BlendMode == COMPOSITE_BLEND)
+  if (!controller || controller->GetNumberOfProcesses() < 2)
   {
     return false;
   }
-  // The largest of the lower ends with a minus, of the upper ends, and of whether there is an
-  // extent in time.
-  constexpr double none = std::numeric_limits<double>::lowest();
-  const bool isInTime = this->HasExtentInTime(this->GetDataSetInput());
-  std::array<double, 7> own{ { none, none, none, none, none, none, isInTime ? 1.0 : 0.0 } };
+  // The box of the piece, whether it has an extent in time, and whether it is left to OpenGL.
+  constexpr double none = std::numeric_limits<double>::max();
+  std::array<double, 8> own{ { none, -none, none, -none, none, -none,
+    this->HasExtentInTime(this->GetDataSetInput()) ? 1.0 : 0.0,
+    this->DrawsInSoftware(window) ? 0.0 : 1.0 } };
   if (this->GetInput() && this->GetInput()->GetNumberOfCells() > 0)
   {
-    const double* bounds = this->Superclass::GetBounds();
-    for (int i = 0; i < 6; ++i)
-    {
-      own[i] = i % 2 == 0 ? -bounds[i] : bounds[i];
-    }
+    std::copy_n(this->Superclass::GetBounds(), 6, own.begin());
   }
-  std::array<double, 7> all{};
-  controller->AllReduce(own.data(), all.data(), 7, vtkCommunicator::MAX_OP);
+  std::vector<std::array<double, 8>> all(
+    static_cast<std::size_t>(controller->GetNumberOfProcesses()));
+  controller->AllGather(own.data(), all.data()->data(), 8);
+  std::vector<interlume::PieceOrder::Box> boxes;
+  vtkBoundingBox whole;
+  bool isInTime = false;
+  bool isLeftToOpenGL = false;
+  for (const std::array<double, 8>& piece : all)
+  {
+    interlume::PieceOrder::Box box;
+    std::copy_n(piece.begin(), 6, box.begin());
+    boxes.push_back(box);
+    whole.AddBox(vtkBoundingBox(box.data()));
+    isInTime = isInTime || piece[6] > 0.0;
+    isLeftToOpenGL = isLeftToOpenGL || piece[7] > 0.0;
+  }
+  if (!whole.IsValid())
+  {
+    return false;
+  }
   int blend = this->BlendMode;
   if (blend == AUTOMATIC_BLEND)
   {
-    blend =
-      all[6] > 0.0 ? static_cast<int>(OPTICAL_DEPTH_BLEND) : static_cast<int>(COMPOSITE_BLEND);
+    blend = isInTime ? static_cast<int>(OPTICAL_DEPTH_BLEND) : static_cast<int>(COMPOSITE_BLEND);
   }
-  if (blend == COMPOSITE_BLEND || all[0] == none)
+  std::unique_ptr<interlume::PieceOrder> order;
+  if (blend == COMPOSITE_BLEND)
   {
-    return false;
+    order = std::make_unique<interlume::PieceOrder>(boxes);
+    if (isInTime || isLeftToOpenGL || !order->IsPossible())
+    {
+      return false;
+    }
   }
-  this->Pieces = std::make_unique<interlume::PieceExchange>(controller, blend,
-    std::array<double, 6>{ { -all[0], all[1], -all[2], all[3], -all[4], all[5] } });
+  std::array<double, 6> bounds{};
+  whole.GetBounds(bounds.data());
+  this->Pieces =
+    std::make_unique<interlume::PieceExchange>(controller, blend, bounds, std::move(order));
   return true;
 }
 

@@ -13,6 +13,7 @@
 class vtkDepthPeels;
 class vtkMultiProcessController;
 class vtkPolyData;
+class vtkRenderWindow;
 class vtkUnstructuredGrid;
 
 namespace interlume
@@ -69,13 +70,15 @@ struct TetrahedraArrays;
  * they are: UseDepthPeelingForVolumes is not supported, is warned of once, and draws the picture
  * that is drawn without it.
  *
- * **Pieces of one volume in several processes** make one picture in the blend modes that need no
- * order, after GatherPieces: each process draws its piece by SOFTWARE_PATH, what the blend mode
- * sums up along the lines of sight is exchanged in floats, and each pixel is shown by one process,
- * the one with the nearest opaque surface there, else the first. So the picture is that of one
- * process but for rounding, wherever the pieces are, and laying the processes' pictures over each
- * other adds nothing to it. COMPOSITE_BLEND has no such sum: each process draws its piece alone,
- * and the pictures have to be laid over each other in order.
+ * **Pieces of one volume in several processes** make one picture after GatherPieces: each process
+ * draws its piece by SOFTWARE_PATH, what the blend mode sums up along the lines of sight is
+ * exchanged in floats, and each pixel is shown by one process, the one with the nearest opaque
+ * surface there, else the first. So the picture is that of one process but for rounding, wherever
+ * the pieces are, and laying the processes' pictures over each other adds nothing to it. With
+ * COMPOSITE_BLEND that holds for pieces whose boxes planes part, one after the other, so that they
+ * have an order from everywhere, where all processes take SOFTWARE_PATH by themselves or are told
+ * to. Elsewhere each process composites its piece alone, and the pictures, rounded to 8 bits, have
+ * to be laid over each other in order: graphics cards are faster at that.
  *
  * Errors (vtkErrorMacro, nothing drawn): cells that are no tetrahedra, missing scalars, an array
  * for Dt or layers that is named and missing, a wrong number of components. Tetrahedra with NaN or
@@ -220,11 +223,12 @@ public:
    * Makes the input a piece of a volume whose others are the inputs of this mapper in the other
    * processes of \a controller. All of them must call it together, whenever the input or the blend
    * mode has changed, and must draw every picture that is no selection together, from the same
-   * view; GetBounds are then those of all pieces. Returns whether the blend mode needs no order, so
-   * that the pieces make one picture. With null, one process or COMPOSITE_BLEND the input is drawn
-   * as without it.
+   * view; GetBounds are then those of all pieces. Returns whether the pieces make one picture: in
+   * every blend mode that needs no order, and with COMPOSITE_BLEND where they have one (see above);
+   * \a window tells AUTOMATIC_PATH there whether OpenGL is software, and without it counts as a
+   * graphics card. With false, null or one process the input is drawn as without it.
    */
-  bool GatherPieces(vtkMultiProcessController* controller);
+  bool GatherPieces(vtkMultiProcessController* controller, vtkRenderWindow* window = nullptr);
 
   /**
    * Returns whether a dataset has the array for the extent in time.
@@ -253,6 +257,8 @@ private:
   vtkTimeWeightedTetrahedraMapper(const vtkTimeWeightedTetrahedraMapper&) = delete;
   void operator=(const vtkTimeWeightedTetrahedraMapper&) = delete;
 
+  /// Returns whether a picture in a window is left to SOFTWARE_PATH.
+  bool DrawsInSoftware(vtkRenderWindow* window) const;
   /// The arrays to be read; returns what is wrong, or nothing.
   std::string FindArrays(vtkUnstructuredGrid* grid, interlume::TetrahedraArrays& arrays);
 

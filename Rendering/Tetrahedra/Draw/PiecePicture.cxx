@@ -37,10 +37,13 @@ PiecePicture::PiecePicture(const PieceExchange& exchange, const TetrahedraFrame*
 {
 }
 
-std::vector<float> PiecePicture::Draw(Blends blend, const std::map<int, double>& priorities)
+std::vector<float> PiecePicture::Draw(
+  Blends blend, const std::map<int, double>& priorities, const std::vector<int>& order)
 {
   switch (blend)
   {
+    case Blends::COMPOSITE:
+      return this->DrawOrdered(order);
     case Blends::MAXIMUM:
       return this->DrawLargest();
     case Blends::PRIORITY:
@@ -75,6 +78,13 @@ std::vector<float> PiecePicture::DrawSum(Blends blend, const std::vector<std::ui
   {
     Set(colors, p, FragmentBlending::Finish(Get(colors, p), frame));
   }
+  return colors;
+}
+
+std::vector<float> PiecePicture::DrawOrdered(const std::vector<int>& order)
+{
+  std::vector<float> colors = this->DrawPiece(Blends::COMPOSITE, nullptr);
+  this->Exchange.Composite(colors, order);
   return colors;
 }
 

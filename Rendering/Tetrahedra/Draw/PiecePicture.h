@@ -17,11 +17,12 @@ class PieceExchange;
 
 /**
  * @class   PiecePicture
- * @brief   the picture of a volume whose pieces are drawn by several processes, without order
+ * @brief   the picture of a volume whose pieces are drawn by several processes
  *
  * Each process draws what the blend mode sums up along the lines of sight of its own piece, or
- * keeps the largest of; that is exchanged in floats, and then becomes colours. So the picture is
- * that of one process but for the order of sums. Everything here is collective.
+ * keeps the largest of; that is exchanged in floats, and then becomes colours. Pieces that planes
+ * part have an order, and what each process composites of its own is laid over each other in it. So
+ * the picture is that of one process but for the order of sums. Everything here is collective.
  */
 class PiecePicture
 {
@@ -34,9 +35,10 @@ public:
 
   /**
    * Returns the whole picture as RGBA, colour multiplied by opacity, the same in all processes.
-   * \a priorities are those of layers.
+   * \a priorities are those of layers, \a order is that of the processes from the nearest on.
    */
-  std::vector<float> Draw(TetrahedraFrame::Blends blend, const std::map<int, double>& priorities);
+  std::vector<float> Draw(TetrahedraFrame::Blends blend, const std::map<int, double>& priorities,
+    const std::vector<int>& order);
 
   /**
    * Tells for each pixel whether the own process shows it: the one with the nearest opaque surface,
@@ -51,6 +53,7 @@ private:
     TetrahedraFrame::Blends blend, const std::vector<std::uint32_t>* tetrahedra);
   std::vector<float> DrawSum(
     TetrahedraFrame::Blends blend, const std::vector<std::uint32_t>* tetrahedra);
+  std::vector<float> DrawOrdered(const std::vector<int>& order);
   std::vector<float> DrawLargest();
   std::vector<float> DrawLayers(const std::map<int, double>& priorities);
 

@@ -7,10 +7,13 @@
 #include "OpenGL/TetrahedraSelection.h"
 #include "Pieces/PieceExchange.h"
 
+#include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageQuad.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkOpaqueProps.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProperty.h"
@@ -71,6 +74,8 @@ struct TetrahedraRenderer::DrawnState
   int PixelStride = 0;
   std::uint32_t TetrahedronStride = 0;
   std::vector<float> Opaque;
+  /// The order of the pieces that are drawn together.
+  std::vector<int> Order;
 
   bool operator==(const DrawnState& other) const
   {
@@ -79,7 +84,8 @@ struct TetrahedraRenderer::DrawnState
       this->SurfaceVersion == other.SurfaceVersion && this->Blend == other.Blend &&
       this->IsExact == other.IsExact && this->IsPiece == other.IsPiece &&
       this->PixelStride == other.PixelStride &&
-      this->TetrahedronStride == other.TetrahedronStride && this->Opaque == other.Opaque;
+      this->TetrahedronStride == other.TetrahedronStride && this->Opaque == other.Opaque &&
+      this->Order == other.Order;
   }
 };
 
@@ -483,6 +489,35 @@ std::string TetrahedraRenderer::UpdatePiece(
   return this->UpdateFrame(renderer, volume, request, report);
 }
 
+std::vector<int> TetrahedraRenderer::FindPieceOrder(
+  vtkRenderer* renderer, vtkVolume* volume, const PieceExchange& pieces)
+{
+  if (!pieces.GetOrder())
+  {
+    return {};
+  }
+  // One process finds it for all, so that rounding cannot make orders differ.
+  std::vector<int> order(static_cast<std::size_t>(pieces.GetNumberOfRanks()), 0);
+  if (pieces.GetRank() == 0)
+  {
+    vtkCamera* camera = renderer->GetActiveCamera();
+    const double* position = camera->GetPosition();
+    const double* direction = camera->GetDirectionOfProjection();
+    std::array<double, 4> eye{ { position[0], position[1], position[2], 1.0 } };
+    if (camera->GetParallelProjection() != 0)
+    {
+      eye = { { -direction[0], -direction[1], -direction[2], 0.0 } };
+    }
+    vtkNew<vtkMatrix4x4> place;
+    volume->GetMatrix(place);
+    place->Invert();
+    place->MultiplyPoint(eye.data(), eye.data());
+    order = pieces.GetOrder()->Compute(eye);
+  }
+  pieces.Maximize(order);
+  return order;
+}
+
 std::string TetrahedraRenderer::RenderPieces(vtkRenderer* renderer, vtkVolume* volume,
   const Request& request, vtkOpenGLRenderWindow& window, vtkTetrahedraReport& report)
 {
@@ -504,6 +539,7 @@ std::string TetrahedraRenderer::RenderPieces(vtkRenderer* renderer, vtkVolume* v
   state.IsPiece = true;
   state.Blend = GetBlend(report.BlendMode);
   state.Opaque = this->Depth.GetBuffer();
+  state.Order = FindPieceOrder(renderer, volume, pieces);
   if (isHere)
   {
     state.View = this->Frame.View;
@@ -531,7 +567,8 @@ std::string TetrahedraRenderer::RenderPieces(vtkRenderer* renderer, vtkVolume* v
       this->PlaceDepth();
     }
     PiecePicture picture(pieces, isHere ? &this->Frame : nullptr, pixels, this->Rasterizer);
-    std::vector<float> colors = picture.Draw(state.Blend, request.Settings.LayerPriorities);
+    std::vector<float> colors =
+      picture.Draw(state.Blend, request.Settings.LayerPriorities, state.Order);
     for (std::size_t p = 0; p < pixels; ++p)
     {
       if (isShown.empty() ? pieces.GetRank() != 0 : !isShown[p])

@@ -104,6 +104,9 @@ private:
   /// Draws the picture of all pieces, together with the other processes.
   std::string RenderPieces(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
     vtkOpenGLRenderWindow& window, vtkTetrahedraReport& report);
+  /// Returns the order of the processes from the nearest on; none where the blend mode needs none.
+  static std::vector<int> FindPieceOrder(
+    vtkRenderer* renderer, vtkVolume* volume, const PieceExchange& pieces);
   /// Makes what has changed of the own piece anew. Returns what is wrong, or nothing.
   std::string UpdatePiece(
     vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report);

@@ -2,7 +2,10 @@
 #ifndef interlume_PieceExchange_h
 #define interlume_PieceExchange_h
 
+#include "Pieces/PieceOrder.h"
+
 #include <array>
+#include <memory>
 #include <vector>
 
 class vtkMultiProcessController;
@@ -14,21 +17,22 @@ namespace interlume
  * @class   PieceExchange
  * @brief   what the processes tell each other that each draw a piece of one volume
  *
- * Add, Maximize, Minimize and Unite are collective: every process calls them, in the same order,
- * with as many numbers.
+ * Add, Maximize, Minimize, Unite and Composite are collective: every process calls them, in the
+ * same order, with as many numbers.
  */
 class PieceExchange
 {
 public:
   /**
    * \a blend is the blend mode of all pieces, none of its choices left open; \a bounds is the box
-   * around them.
+   * around them. \a boxes has the order of the pieces by process, null where \a blend needs none.
    */
-  PieceExchange(
-    vtkMultiProcessController* controller, int blend, const std::array<double, 6>& bounds);
+  PieceExchange(vtkMultiProcessController* controller, int blend,
+    const std::array<double, 6>& bounds, std::unique_ptr<PieceOrder> boxes);
 
   int GetBlend() const { return this->Blend; }
   const std::array<double, 6>& GetBounds() const { return this->Bounds; }
+  const PieceOrder* GetOrder() const { return this->Order.get(); }
   int GetRank() const;
   int GetNumberOfRanks() const;
 
@@ -45,14 +49,26 @@ public:
   ///@}
   /// Returns the numbers that any process has, each once; every process may have another count.
   std::vector<int> Unite(const std::vector<int>& numbers) const;
+  /**
+   * Replaces RGBA, colour multiplied by opacity, by what all processes have of it over each other;
+   * \a order has the processes from the nearest on, the same in all of them.
+   */
+  void Composite(std::vector<float>& colors, const std::vector<int>& order) const;
 
 private:
   template <typename Number>
   void Reduce(std::vector<Number>& numbers, int operation) const;
+  /**
+   * Sends numbers to the process that is \a distance places behind in an order, and returns those
+   * of the one as far before; none where there is no such process.
+   */
+  std::vector<float> Pass(
+    const std::vector<float>& numbers, const std::vector<int>& order, int distance) const;
 
   vtkMultiProcessController* Controller;
   int Blend;
   std::array<double, 6> Bounds;
+  std::unique_ptr<PieceOrder> Order;
 };
 
 }

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pieces/PieceOrder.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace interlume
+{
+
+namespace
+{
+/// Pieces are cut in single precision, so that boxes may share this part of their group's length.
+constexpr double TOUCH = 1e-6;
+
+bool HasContent(const PieceOrder::Box& box)
+{
+  return box[0] <= box[1] && box[2] <= box[3] && box[4] <= box[5];
+}
+}
+
+PieceOrder::PieceOrder(const std::vector<Box>& boxes)
+{
+  std::vector<int> full;
+  std::vector<int> empty;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+  {
+    (HasContent(boxes[i]) ? full : empty).push_back(static_cast<int>(i));
+  }
+  this->Root = this->Build(boxes, full);
+  // Boxes without content hide nothing, wherever they come.
+  Node last;
+  last.Boxes = empty;
+  this->Nodes.push_back(last);
+}
+
+int PieceOrder::Build(const std::vector<Box>& boxes, std::vector<int> members)
+{
+  Node node;
+  if (members.size() < 2)
+  {
+    node.Boxes = members;
+    this->Nodes.push_back(node);
+    return static_cast<int>(this->Nodes.size()) - 1;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto lower = [&](int box) { return boxes[static_cast<std::size_t>(box)][2 * axis]; };
+    const auto upper = [&](int box) { return boxes[static_cast<std::size_t>(box)][2 * axis + 1]; };
+    // Flat boxes that lie in the plane of others come before them or behind them as their middles
+    // do.
+    std::sort(members.begin(), members.end(),
+      [&](int a, int b)
+      {
+        const double middles[2] = { lower(a) + upper(a), lower(b) + upper(b) };
+        return middles[0] != middles[1] ? middles[0] < middles[1] : a < b;
+      });
+    std::vector<double> next(members.size());
+    double least = lower(members.back());
+    for (std::size_t i = members.size(); i-- > 0;)
+    {
+      least = std::min(least, lower(members[i]));
+      next[i] = least;
+    }
+    double reached = upper(members[0]);
+    for (const int member : members)
+    {
+      reached = std::max(reached, upper(member));
+    }
+    const double touch = TOUCH * (reached - least);
+    reached = upper(members[0]);
+    for (std::size_t i = 1; i < members.size(); ++i)
+    {
+      if (reached - next[i] <= touch)
+      {
+        const auto middle = members.begin() + static_cast<std::ptrdiff_t>(i);
+        node.Axis = axis;
+        node.Plane = 0.5 * (reached + next[i]);
+        node.Lower = this->Build(boxes, { members.begin(), middle });
+        node.Upper = this->Build(boxes, { middle, members.end() });
+        this->Nodes.push_back(node);
+        return static_cast<int>(this->Nodes.size()) - 1;
+      }
+      reached = std::max(reached, upper(members[i]));
+    }
+  }
+  this->Possible = false;
+  node.Boxes = members;
+  this->Nodes.push_back(node);
+  return static_cast<int>(this->Nodes.size()) - 1;
+}
+
+void PieceOrder::Append(int node, const std::array<double, 4>& eye, std::vector<int>& order) const
+{
+  const Node& n = this->Nodes[static_cast<std::size_t>(node)];
+  if (n.Axis < 0)
+  {
+    order.insert(order.end(), n.Boxes.begin(), n.Boxes.end());
+    return;
+  }
+  const bool isLowerNear = eye[static_cast<std::size_t>(n.Axis)] < n.Plane * eye[3];
+  this->Append(isLowerNear ? n.Lower : n.Upper, eye, order);
+  this->Append(isLowerNear ? n.Upper : n.Lower, eye, order);
+}
+
+std::vector<int> PieceOrder::Compute(const std::array<double, 4>& eye) const
+{
+  std::vector<int> order;
+  this->Append(this->Root, eye, order);
+  this->Append(static_cast<int>(this->Nodes.size()) - 1, eye, order);
+  return order;
+}
+
+}
