@@ -27,6 +27,9 @@ public:
   /// Makes the order; \a points is kept by the caller.
   explicit CornerOrder(vtkPointData* points);
 
+  /// Returns whether it is the order of the point ids.
+  bool IsById() const { return this->GlobalIds == nullptr; }
+
   bool IsBefore(vtkIdType a, vtkIdType b) const
   {
     return this->GlobalIds ? this->GlobalIds[a] < this->GlobalIds[b] : a < b;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TimeVarying/SimplexSliceTable.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace interlume
@@ -71,8 +72,8 @@ Slice Make(unsigned int above)
   {
     for (int column = 0; column < columns; ++column)
     {
-      slice.Edges[slice.NumberOfSlots++] = { { sides.Vertices[row],
-        sides.Vertices[rows + column] } };
+      const auto ends = std::minmax(sides.Vertices[row], sides.Vertices[rows + column]);
+      slice.Edges[slice.NumberOfSlots++] = { { ends.first, ends.second } };
     }
   }
   // The first tetrahedron of a prism is positive where its edge is below; the slice of one vertex,
@@ -98,7 +99,7 @@ Slice Make(unsigned int above)
 }
 }
 
-const SimplexSliceTable::Slice& SimplexSliceTable::Get(unsigned int above)
+const std::array<SimplexSliceTable::Slice, 32>& SimplexSliceTable::GetAll()
 {
   static const std::array<Slice, NumberOfCases> table = []
   {
@@ -109,7 +110,7 @@ const SimplexSliceTable::Slice& SimplexSliceTable::Get(unsigned int above)
     }
     return made;
   }();
-  return table[above];
+  return table;
 }
 
 }

@@ -33,12 +33,13 @@ public:
     int NumberOfTetrahedra = 0;
     int NumberOfSlots = 0;
     std::array<vtkIsotable::Simplex, 3> Tetrahedra{};
-    /// The vertices at the ends of each slot's edge.
+    /// The vertices at the ends of each slot's edge, in ascending order.
     std::array<std::array<Slot, 2>, 6> Edges{};
   };
 
-  /// Returns the slice for a set of vertices; bit v of \a above is set where vertex v is above.
-  static const Slice& Get(unsigned int above);
+  /// Returns the slices of all sets of vertices: bit v of a slice's number is set where vertex v is
+  /// above.
+  static const std::array<Slice, 32>& GetAll();
 };
 
 }

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TimeVarying/SimplexSlicer.h"
 
+#include "Common/GridCells.h"
 #include "Grid/CornerOrder.h"
 #include "Scalars/ExtractionScalars.h"
 #include "Static/CrossingLists.h"
 #include "TimeVarying/SimplexSliceTable.h"
+#include "TimeVarying/SliceChunk.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
-#include "vtkIdList.h"
 #include "vtkPointData.h"
+#include "vtkSMPThreadLocal.h"
 #include "vtkTimeVaryingSettings.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -28,11 +31,16 @@ using Slot = vtkIsotable::Slot;
 using Case = SimplexSliceTable::Slice;
 using Parts = vtkTimeVaryingSettings::PartsAtStep;
 
-constexpr vtkIdType ChunkSize = 4096;
 constexpr int SimplexSize = 5;
 // The codes of one value.
 constexpr Code AtValue = 1;
 constexpr Code AboveValue = 2;
+// Codes, with that of values that are not finite, have so many bits.
+constexpr int CodeBits = 2;
+
+constexpr std::array<std::array<int, 2>, 9> SortingNetwork = { { { { 0, 3 } }, { { 1, 4 } },
+  { { 0, 2 } }, { { 1, 3 } }, { { 0, 1 } }, { { 2, 4 } }, { { 1, 2 } }, { { 3, 4 } },
+  { { 2, 3 } } } };
 
 // The ways in which a 4-simplex meets the value.
 enum class Meeting
@@ -79,47 +87,16 @@ struct Point
   }
 };
 
-// A 4-simplex with output, in a chunk.
-struct Found
-{
-  // The place of the cell, counted from the chunk's first.
-  std::uint16_t Position;
-  // The key of the case.
-  std::uint8_t Above;
-  // The tetrahedra that have not collapsed, a bit each.
-  std::uint8_t Kept;
-  bool IsInverted;
-  // Whether the tetrahedron is a face of the 4-simplex, or all of it.
-  bool IsFace;
-  // Whether that tetrahedron is left to another 4-simplex.
-  bool IsGiven;
-};
-
 // The result of the counting pass for a chunk of cells, which the writing pass uses.
-struct Chunk
+struct Chunk : SliceChunk
 {
-  std::vector<Found> Cases;
-  // The points of all cases.
-  std::vector<const CrossingLists::Node*> Nodes;
-  // The tetrahedra at the value, in the order of the cases.
+  // The tetrahedra at the value, in the order of the cells, and which of the chunk's they are.
   std::vector<Face> Faces;
-  vtkIdType Tetrahedra = 0;
+  std::vector<std::size_t> Places;
+  // The place of the first tetrahedron in the slice.
+  vtkIdType First = 0;
   vtkIdType WrongCell = -1;
 };
-
-// Returns the slots that are used by the tetrahedra kept, a bit each.
-unsigned int FindUsedSlots(const Case& what, unsigned int kept)
-{
-  unsigned int used = 0;
-  for (int t = 0; t < what.NumberOfTetrahedra; ++t)
-  {
-    for (const Slot slot : what.Tetrahedra[t])
-    {
-      used |= ((kept >> t) & 1u) << slot;
-    }
-  }
-  return used;
-}
 
 bool IsCollapsed(const vtkIsotable::Simplex& tetrahedron, const Point* points)
 {
@@ -134,6 +111,16 @@ bool IsCollapsed(const vtkIsotable::Simplex& tetrahedron, const Point* points)
     }
   }
   return false;
+}
+
+// Adds a tetrahedron of a cell; \a places has the place of each slot's point.
+void AddTetrahedron(const vtkIsotable::Simplex& slots, const std::uint16_t* places, bool isInverted,
+  std::uint16_t cell, SliceChunkBuilder& builder)
+{
+  const int first = isInverted ? 1 : 0;
+  builder.Add(
+    { { { places[slots[first]], places[slots[1 - first]], places[slots[2]], places[slots[3]] } },
+      cell });
 }
 
 class Slicer
@@ -153,9 +140,38 @@ public:
 
   bool Execute()
   {
+    vtkCellArray* stored = this->Grid->GetCells();
+    if (this->Grid->GetNumberOfCells() == 0)
+    {
+      // A grid that was given none has no cell array.
+      return true;
+    }
+    return GridCells::IsNarrow(stored->GetConnectivityArray())
+      ? this->Execute<GridCells::NarrowIds>(stored)
+      : this->Execute<GridCells::WideIds>(stored);
+  }
+
+private:
+  // The cells as they are stored.
+  template <typename Id>
+  struct Cells
+  {
+    const unsigned char* Types;
+    const Id* Offsets;
+    const Id* Ids;
+  };
+
+  template <typename Array>
+  bool Execute(vtkCellArray* stored)
+  {
+    const auto types = GridCells::GetTypes(this->Grid);
+    const auto offsets = ArrayViews::Get<Array>(stored->GetOffsetsArray());
+    const auto ids = ArrayViews::Get<Array>(stored->GetConnectivityArray());
+    const Cells<typename Array::ValueType> all{ types->GetPointer(0), offsets->GetPointer(0),
+      ids->GetPointer(0) };
     const vtkIdType points = this->Grid->GetNumberOfPoints();
     const vtkIdType cells = this->Grid->GetNumberOfCells();
-    const vtkIdType chunks = (cells + ChunkSize - 1) / ChunkSize;
+    const vtkIdType chunks = (cells + SliceChunk::Size - 1) / SliceChunk::Size;
     this->Codes.Allocate(points);
     this->Chunks.resize(chunks);
     const auto forEachChunk = [this, chunks](double from, double to, auto&& work)
@@ -172,7 +188,7 @@ public:
     if (!this->Context.Run(points, 0.0, 0.05,
           [this](vtkIdType first, vtkIdType last)
           { this->Scalars->Classify(first, last - first, this->Codes.GetData() + first); }) ||
-      !forEachChunk(0.05, 0.4, [this](vtkIdType chunk) { this->CountChunk(chunk); }))
+      !forEachChunk(0.05, 0.4, [&](vtkIdType chunk) { this->CountChunk(chunk, all); }))
     {
       return false;
     }
@@ -193,57 +209,71 @@ public:
     return forEachChunk(0.5, 0.8, [this](vtkIdType chunk) { this->WriteChunk(chunk); });
   }
 
-private:
-  void CountChunk(vtkIdType number)
+  template <typename Id>
+  void CountChunk(vtkIdType number, const Cells<Id>& cells)
   {
     Chunk& chunk = this->Chunks[number];
+    SliceChunkBuilder& builder = this->Builders.Local();
     CrossingLists::Arena& arena = this->Lists.GetArena();
-    const vtkIdType begin = number * ChunkSize;
-    const vtkIdType end = std::min(begin + ChunkSize, this->Grid->GetNumberOfCells());
-    vtkNew<vtkIdList> ids;
+    const vtkIdType begin = number * SliceChunk::Size;
+    const vtkIdType end = std::min(begin + SliceChunk::Size, this->Grid->GetNumberOfCells());
+    builder.Begin();
     for (vtkIdType cell = begin; cell < end; ++cell)
     {
-      this->Grid->GetCells()->GetCellAtId(cell, ids);
-      if (this->Grid->GetCellType(cell) != VTK_POLY_VERTEX || ids->GetNumberOfIds() != SimplexSize)
+      const Id* const ids = cells.Ids + cells.Offsets[cell];
+      if (cells.Types[cell] != VTK_POLY_VERTEX ||
+        cells.Offsets[cell + 1] - cells.Offsets[cell] != SimplexSize)
       {
         chunk.WrongCell = cell;
         return;
       }
-      const Meeting meeting =
-        this->IsBlanked(cell, ids) ? Meeting::None : this->Meet(cell, ids->GetPointer(0));
-      if (meeting != Meeting::None)
+      Code codes[SimplexSize];
+      std::transform(ids, ids + SimplexSize, codes, [this](Id id) { return this->Codes[id]; });
+      bool hasTies = false;
+      const Meeting meeting = this->Meet(cell, codes, hasTies);
+      if (meeting == Meeting::None || (this->Context.HasBlanking() && this->IsBlanked(cell, ids)))
       {
-        const std::uint16_t position = static_cast<std::uint16_t>(cell - begin);
-        this->CountSimplex(position, this->Sort(ids->GetPointer(0), meeting), meeting,
-          this->GetInterval(cell), chunk, arena);
+        continue;
+      }
+      const std::uint16_t position = static_cast<std::uint16_t>(cell - begin);
+      Simplex simplex;
+      if (hasTies || !this->Order.IsById() || !SortById(ids, codes, simplex))
+      {
+        simplex = this->Sort(ids, codes, meeting);
+        this->CountTied(position, simplex, meeting, this->GetInterval(cell), chunk, builder, arena);
+      }
+      else
+      {
+        this->CountPlain(position, simplex, builder, arena);
       }
     }
+    static_cast<SliceChunk&>(chunk) = builder.Finish();
   }
 
-  bool IsBlanked(vtkIdType cell, vtkIdList* ids) const
+  template <typename Id>
+  bool IsBlanked(vtkIdType cell, const Id* ids) const
   {
-    return this->Context.HasBlanking() &&
-      (this->Context.IsCellBlanked(cell) ||
-        std::any_of(ids->begin(), ids->end(),
-          [this](vtkIdType point) { return this->Context.IsPointBlanked(point); }));
+    return this->Context.IsCellBlanked(cell) ||
+      std::any_of(
+        ids, ids + SimplexSize, [this](Id point) { return this->Context.IsPointBlanked(point); });
   }
 
-  Meeting Meet(vtkIdType cell, const vtkIdType* ids) const
+  Meeting Meet(vtkIdType cell, const Code* codes, bool& hasTies) const
   {
     Code least = AboveValue;
     Code greatest = 0;
     int numberAt = 0;
     for (int v = 0; v < SimplexSize; ++v)
     {
-      const Code code = this->Codes[ids[v]];
-      least = std::min(least, code);
-      greatest = std::max(greatest, code);
-      numberAt += code == AtValue;
+      least = std::min(least, codes[v]);
+      greatest = std::max(greatest, codes[v]);
+      numberAt += codes[v] == AtValue;
     }
     if (greatest < AtValue || greatest == this->Context.Values->GetNonFiniteCode())
     {
       return Meeting::None;
     }
+    hasTies = numberAt > 0;
     if (numberAt == SimplexSize)
     {
       return this->GetPart(cell) == Parts::TETRAHEDRON_AT_STEP ? Meeting::Lies : Meeting::None;
@@ -262,15 +292,49 @@ private:
                         : Parts::FACES_AT_STEP;
   }
 
-  Simplex Sort(const vtkIdType* ids, Meeting meeting) const
+  // Sorts a 4-simplex where the order is that of the ids; returns false where two are equal.
+  template <typename Id>
+  static bool SortById(const Id* ids, const Code* codes, Simplex& simplex)
   {
+    std::uint64_t keys[SimplexSize];
+    for (int v = 0; v < SimplexSize; ++v)
+    {
+      keys[v] = (static_cast<std::uint64_t>(ids[v]) << CodeBits) | codes[v];
+    }
+    // A network of exchanges has no branches, which could not be predicted.
+    bool isOdd = false;
+    for (const auto& [a, b] : SortingNetwork)
+    {
+      const std::uint64_t first = keys[a];
+      const std::uint64_t second = keys[b];
+      const bool isTurned = second < first;
+      keys[a] = isTurned ? second : first;
+      keys[b] = isTurned ? first : second;
+      isOdd ^= isTurned;
+    }
+    bool isDistinct = true;
+    for (int v = 0; v < SimplexSize; ++v)
+    {
+      simplex.Ids[v] = static_cast<vtkIdType>(keys[v] >> CodeBits);
+      simplex.Codes[v] = static_cast<Code>(keys[v] & ((1u << CodeBits) - 1));
+      isDistinct &= v == 0 || keys[v - 1] != keys[v];
+    }
+    simplex.IsInverted = isOdd;
+    return isDistinct;
+  }
+
+  template <typename Id>
+  Simplex Sort(const Id* stored, const Code* codes, Meeting meeting) const
+  {
+    vtkIdType ids[SimplexSize];
+    std::copy_n(stored, SimplexSize, ids);
     Slot ranks[SimplexSize];
     this->Order.Rank(ids, SimplexSize, ranks);
     Simplex simplex{};
     for (int v = 0; v < SimplexSize; ++v)
     {
       simplex.Ids[ranks[v]] = ids[v];
-      simplex.Codes[ranks[v]] = this->Codes[ids[v]];
+      simplex.Codes[ranks[v]] = codes[v];
       for (int before = 0; before < v; ++before)
       {
         simplex.IsInverted ^= ranks[before] > ranks[v];
@@ -290,52 +354,68 @@ private:
     return this->Intervals ? static_cast<vtkIdType>(this->Intervals->GetComponent(cell, 0)) : 0;
   }
 
-  void CountSimplex(std::uint16_t position, const Simplex& simplex, Meeting meeting,
-    vtkIdType interval, Chunk& chunk, CrossingLists::Arena& arena)
+  static unsigned int FindAbove(const Simplex& simplex, Code first)
+  {
+    unsigned int above = 0;
+    for (int v = 0; v < SimplexSize; ++v)
+    {
+      above |= (simplex.Codes[v] >= first ? 1u : 0u) << v;
+    }
+    return above;
+  }
+
+  // Counts a 4-simplex of five vertices in ascending order of their ids, none at the value: no two
+  // points of its slice are one.
+  void CountPlain(std::uint16_t position, const Simplex& simplex, SliceChunkBuilder& builder,
+    CrossingLists::Arena& arena)
+  {
+    const Case& what = this->Cases[FindAbove(simplex, AtValue)];
+    std::uint16_t places[6];
+    for (int slot = 0; slot < what.NumberOfSlots; ++slot)
+    {
+      const auto& [near, far] = what.Edges[slot];
+      places[slot] =
+        builder.Find(simplex.Ids[near], CrossingKey(simplex.Ids[far], 0), this->Lists, arena);
+    }
+    for (int t = 0; t < what.NumberOfTetrahedra; ++t)
+    {
+      AddTetrahedron(what.Tetrahedra[t], places, simplex.IsInverted, position, builder);
+    }
+  }
+
+  void CountTied(std::uint16_t position, const Simplex& simplex, Meeting meeting,
+    vtkIdType interval, Chunk& chunk, SliceChunkBuilder& builder, CrossingLists::Arena& arena)
   {
     // Where a 4-simplex begins, its slice is the limit of those above the value.
     const Code first =
       meeting == Meeting::Begins || meeting == Meeting::Lies ? AboveValue : AtValue;
-    unsigned int above = 0;
-    for (int v = 0; v < SimplexSize; ++v)
-    {
-      const unsigned int isAbove = simplex.Codes[v] >= first ? 1 : 0;
-      above |= isAbove << v;
-    }
-    const Case& what = SimplexSliceTable::Get(above);
+    const Case& what = this->Cases[FindAbove(simplex, first)];
     Point points[6];
     for (int slot = 0; slot < what.NumberOfSlots; ++slot)
     {
       points[slot] = FindPoint(simplex, what.Edges[slot]);
     }
-    unsigned int kept = 0;
     for (int t = 0; t < what.NumberOfTetrahedra; ++t)
     {
-      const bool isKept = !IsCollapsed(what.Tetrahedra[t], points);
-      kept |= (isKept ? 1u : 0u) << t;
-      chunk.Tetrahedra += isKept;
-    }
-    if (kept == 0)
-    {
-      return;
-    }
-    const unsigned int used = FindUsedSlots(what, kept);
-    for (int slot = 0; slot < what.NumberOfSlots; ++slot)
-    {
-      if ((used >> slot) & 1)
+      const vtkIsotable::Simplex& slots = what.Tetrahedra[t];
+      if (IsCollapsed(slots, points))
       {
-        chunk.Nodes.push_back(this->Lists.Enter(points[slot].Owner, points[slot].Key, arena));
+        continue;
       }
-    }
-    const bool isFace = meeting != Meeting::Crosses;
-    chunk.Cases.push_back({ position, static_cast<std::uint8_t>(above),
-      static_cast<std::uint8_t>(kept), simplex.IsInverted, isFace, false });
-    if (isFace)
-    {
-      // All four points are vertices.
-      chunk.Faces.push_back(
-        { { { points[0].Owner, points[1].Owner, points[2].Owner, points[3].Owner } }, interval,
-          meeting });
+      std::uint16_t places[6];
+      for (const Slot slot : slots)
+      {
+        places[slot] = builder.Find(points[slot].Owner, points[slot].Key, this->Lists, arena);
+      }
+      if (meeting != Meeting::Crosses)
+      {
+        // All four points are vertices.
+        chunk.Places.push_back(builder.GetNumberOfTetrahedra());
+        chunk.Faces.push_back(
+          { { { points[0].Owner, points[1].Owner, points[2].Owner, points[3].Owner } }, interval,
+            meeting });
+      }
+      AddTetrahedron(slots, places, simplex.IsInverted, position, builder);
     }
   }
 
@@ -382,26 +462,32 @@ private:
 
   static void LeaveOutGiven(const std::vector<Face>& faces, Chunk& chunk)
   {
-    auto face = chunk.Faces.begin();
-    for (Found& found : chunk.Cases)
+    std::vector<SliceChunk::Tetrahedron>& all = chunk.Tetrahedra;
+    std::size_t kept = 0;
+    auto place = chunk.Places.begin();
+    for (std::size_t t = 0; t < all.size(); ++t)
     {
-      if (found.IsFace)
+      bool isGiven = false;
+      if (place != chunk.Places.end() && *place == t)
       {
-        found.IsGiven = IsGiven(*face, std::equal_range(faces.begin(), faces.end(), *face));
-        chunk.Tetrahedra -= found.IsGiven;
-        ++face;
+        const Face& face = chunk.Faces[place - chunk.Places.begin()];
+        isGiven = IsGiven(face, std::equal_range(faces.begin(), faces.end(), face));
+        ++place;
       }
+      all[kept] = all[t];
+      kept += isGiven ? 0 : 1;
     }
+    all.resize(kept);
   }
 
-  // Turns the counts of chunks into the places where they begin, and makes room for all.
+  // Finds the places where chunks begin, and makes room for all.
   void Allocate()
   {
     vtkIdType tetrahedra = 0;
     for (Chunk& chunk : this->Chunks)
     {
-      std::swap(chunk.Tetrahedra, tetrahedra);
-      tetrahedra += chunk.Tetrahedra;
+      chunk.First = tetrahedra;
+      tetrahedra += static_cast<vtkIdType>(chunk.Tetrahedra.size());
     }
     this->Slice.Tetrahedra.Allocate(
       tetrahedra, 4, static_cast<vtkIdType>(this->Slice.Points.GetSize()));
@@ -411,32 +497,28 @@ private:
   void WriteChunk(vtkIdType number)
   {
     const Chunk& chunk = this->Chunks[number];
-    vtkIdType tetrahedron = chunk.Tetrahedra;
-    auto node = chunk.Nodes.begin();
-    vtkIdType ids[6];
-    for (const Found& found : chunk.Cases)
+    const auto write = [&chunk](auto* values)
     {
-      const Case& what = SimplexSliceTable::Get(found.Above);
-      const unsigned int used = FindUsedSlots(what, found.Kept);
-      for (int slot = 0; slot < what.NumberOfSlots; ++slot)
+      using Id = std::decay_t<decltype(*values)>;
+      std::vector<Id> ids(chunk.Nodes.size());
+      std::transform(chunk.Nodes.begin(), chunk.Nodes.end(), ids.begin(),
+        [](const CrossingLists::Node* node) { return static_cast<Id>(node->Id); });
+      Id* next = values + 4 * chunk.First;
+      for (const SliceChunk::Tetrahedron& tetrahedron : chunk.Tetrahedra)
       {
-        if ((used >> slot) & 1)
+        for (const std::uint16_t point : tetrahedron.Points)
         {
-          ids[slot] = (*node++)->Id;
+          *next++ = ids[point];
         }
       }
-      for (int t = 0; t < what.NumberOfTetrahedra && !found.IsGiven; ++t)
-      {
-        if ((found.Kept >> t) & 1)
-        {
-          this->Slice.Tetrahedra.Write(tetrahedron, &what.Tetrahedra[t], 1, ids, found.IsInverted);
-          if (this->Context.KeepCellIds)
-          {
-            this->Slice.CellIds[tetrahedron] = number * ChunkSize + found.Position;
-          }
-          ++tetrahedron;
-        }
-      }
+    };
+    this->Slice.Tetrahedra.Visit(write);
+    if (this->Context.KeepCellIds)
+    {
+      std::transform(chunk.Tetrahedra.begin(), chunk.Tetrahedra.end(),
+        this->Slice.CellIds.GetData() + chunk.First,
+        [begin = number * SliceChunk::Size](const SliceChunk::Tetrahedron& tetrahedron)
+        { return begin + tetrahedron.Cell; });
     }
   }
 
@@ -450,7 +532,9 @@ private:
   vtkDataArray* AtStep;
   ExtractionBuffer<Code> Codes;
   CrossingLists Lists;
+  const std::array<Case, 32>& Cases = SimplexSliceTable::GetAll();
   std::vector<Chunk> Chunks;
+  vtkSMPThreadLocal<SliceChunkBuilder> Builders;
   SimplexSlicer::Slice& Slice;
 };
 }
