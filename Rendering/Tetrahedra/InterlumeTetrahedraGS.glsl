@@ -21,6 +21,9 @@ uniform float volumeScale;
 #ifdef TETRAHEDRON_STRIDE
 uniform int tetrahedronStride;
 #endif
+#ifdef SCALARS
+uniform samplerBuffer scalars;
+#endif
 #ifdef DELTA_T
 uniform samplerBuffer deltaTs;
 #endif
@@ -157,13 +160,15 @@ void setEdge(int i, vec2 a, vec2 b, float atThick, float turn, bool isWide)
 // then counted.
 Corner fetch(uint id, vec3 first)
 {
-  vec4 point = texelFetch(points, int(id));
   Corner corner;
-  vec3 position = point.xyz - first;
+  vec3 position = texelFetch(points, int(id)).xyz - first;
   corner.place = vec2(dot(eyeRows[0].xyz, position), dot(eyeRows[1].xyz, position));
   corner.depth = dot(eyeRows[2].xyz, position);
   corner.area = 0.0;
-  corner.scalar = point.w;
+  corner.scalar = 0.0;
+#ifdef SCALARS
+  corner.scalar = texelFetch(scalars, int(id)).x;
+#endif
   corner.deltaT = 1.0;
 #ifdef DELTA_T
   corner.deltaT = texelFetch(deltaTs, int(id)).x;

@@ -81,6 +81,12 @@ struct INTERLUMETETRAHEDRA_EXPORT vtkTetrahedraReport
   /// Seconds of this picture, until the graphics card was done where AutoAdjustLevelOfDetail is on.
   double Seconds = 0.0;
 
+  /// Whether values of the input were taken anew for this picture, and whether the mesh was: where
+  /// points and tetrahedra are those of the last picture, as in a new time step of the same mesh,
+  /// the mesh, its adjacency, boundary, order and what was sent of them stay.
+  bool ValuesTaken = false;
+  bool MeshMade = false;
+
   void Print(ostream& os, vtkIndent indent) const;
 };
 

@@ -29,6 +29,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 namespace interlume
 {
@@ -94,6 +95,7 @@ struct TetrahedraRenderer::WindowResources
   vtkImageQuad Quad;
   OpenGLRasterizer Rasterizer;
   int MeshVersion = 0;
+  int ValueVersion = 0;
   int ColorVersion = 0;
   int OrderVersion = 0;
   int BoundaryVersion = 0;
@@ -107,7 +109,7 @@ TetrahedraRenderer::TetrahedraRenderer() = default;
 
 TetrahedraRenderer::~TetrahedraRenderer() = default;
 
-std::string TetrahedraRenderer::UpdateMesh(const Request& request)
+std::string TetrahedraRenderer::UpdateMesh(const Request& request, vtkTetrahedraReport& report)
 {
   const MeshKey& before = this->MeshState;
   const TetrahedraArrays& arrays = request.Arrays;
@@ -119,20 +121,32 @@ std::string TetrahedraRenderer::UpdateMesh(const Request& request)
   {
     return {};
   }
+  report.ValuesTaken = true;
+  report.MeshMade = !before.Grid || !this->MeshBuilder.IsSame(request.Grid, arrays, this->Mesh);
   this->MeshState = MeshKey();
   this->Property = nullptr;
-  this->Boundary = nullptr;
-  BoundaryFaces::Clear(this->Fields);
-  this->Order.Reset();
-  this->LevelOfDetail.Reset();
-  std::string error = TetrahedraBuilder::BuildMesh(request.Grid, arrays, this->Mesh, this->Counts);
-  if (error.empty())
+  if (report.MeshMade)
   {
-    TetrahedraBuilder::BuildFields(arrays, this->Mesh, this->Fields);
-    this->MeshState = { request.Grid, request.Grid->GetMTime(), arrays };
+    this->Boundary = nullptr;
+    BoundaryFaces::Clear(this->Fields);
+    this->Order.Reset();
+    this->LevelOfDetail.Reset();
+    std::string error = this->MeshBuilder.Build(request.Grid, arrays, this->Mesh);
+    if (!error.empty())
+    {
+      return error;
+    }
     ++this->MeshVersion;
   }
-  return error;
+  const std::vector<int> layers = this->Fields.Layers;
+  TetrahedraBuilder::BuildFields(arrays, this->Mesh, this->Fields);
+  if (layers != this->Fields.Layers)
+  {
+    this->Order.ResetLayers();
+  }
+  this->MeshState = { request.Grid, request.Grid->GetMTime(), arrays };
+  ++this->ValueVersion;
+  return {};
 }
 
 std::string TetrahedraRenderer::UpdateColors(
@@ -143,12 +157,15 @@ std::string TetrahedraRenderer::UpdateColors(
   {
     return {};
   }
+  const std::vector<float> scalars = std::move(this->Fields.Scalars);
   std::string error =
     TetrahedraBuilder::BuildColors(request.Arrays, this->Mesh, property, unit, this->Fields);
   if (!error.empty())
   {
     return error;
   }
+  // The property chooses the component that is the scalar.
+  this->ValueVersion += scalars == this->Fields.Scalars ? 0 : 1;
   if (this->Fields.Kind == TetrahedraFields::SCALARS)
   {
     this->Pieces.Build(property, 0, this->Fields.Range, unit);
@@ -355,8 +372,8 @@ TetrahedraRenderer::WindowResources& TetrahedraRenderer::GetResources(vtkWindow*
 void TetrahedraRenderer::CountTetrahedra(const Request& request, vtkTetrahedraReport& report) const
 {
   report.Tetrahedra = request.Grid->GetNumberOfCells();
-  report.FlatTetrahedra = this->Counts.Flat;
-  report.NonFiniteTetrahedra = this->Counts.NonFinite;
+  report.FlatTetrahedra = this->MeshBuilder.GetNumberOfFlat();
+  report.NonFiniteTetrahedra = this->MeshBuilder.GetNumberOfNonFinite();
 }
 
 std::string TetrahedraRenderer::Render(
@@ -376,7 +393,7 @@ std::string TetrahedraRenderer::Render(
     report.MemoryBytes = this->GetMemoryBytes();
     return error;
   }
-  std::string error = this->UpdateMesh(request);
+  std::string error = this->UpdateMesh(request, report);
   this->CountTetrahedra(request, report);
   if (!error.empty() || this->Mesh.Corners.empty())
   {
@@ -423,16 +440,19 @@ std::string TetrahedraRenderer::DrawWithOpenGL(
   const bool isClipped = this->Clip.IsActive();
   const bool isSameCut = isClipped == resources.WasClipped &&
     (!isClipped ||
-      (resources.ClipView == this->Frame.View && resources.OrderVersion == this->OrderVersion &&
+      (resources.ClipView == this->Frame.View && resources.MeshVersion == this->MeshVersion &&
+        resources.OrderVersion == this->OrderVersion &&
         resources.BoundaryVersion == this->BoundaryVersion));
   OpenGLRasterizer::Changes changes;
   changes.Mesh = !isSameCut || resources.MeshVersion != this->MeshVersion;
+  changes.Values = !isSameCut || resources.ValueVersion != this->ValueVersion;
   changes.Colors = !isSameCut || resources.ColorVersion != this->ColorVersion;
   changes.Order = !isSameCut || resources.OrderVersion != this->OrderVersion;
   changes.Surface = !isSameCut || resources.BoundaryVersion != this->BoundaryVersion;
   std::string error = resources.Rasterizer.Draw(renderer, this->Frame, changes,
     vtkOpaqueProps::MayOcclude(renderer, volume) || this->IsCutByFarPlane(), report);
   resources.MeshVersion = this->MeshVersion;
+  resources.ValueVersion = this->ValueVersion;
   resources.ColorVersion = this->ColorVersion;
   resources.OrderVersion = this->OrderVersion;
   resources.BoundaryVersion = this->BoundaryVersion;
@@ -479,7 +499,7 @@ std::string TetrahedraRenderer::UpdatePiece(
   {
     return {};
   }
-  std::string error = this->UpdateMesh(request);
+  std::string error = this->UpdateMesh(request, report);
   this->CountTetrahedra(request, report);
   if (!error.empty() || this->Mesh.Corners.empty())
   {
@@ -702,7 +722,8 @@ bool TetrahedraRenderer::IsCutByFarPlane() const
 
 vtkIdType TetrahedraRenderer::GetMemoryBytes() const
 {
-  std::size_t bytes = this->Order.GetBytes() + this->Rasterizer.GetBytes();
+  std::size_t bytes =
+    this->MeshBuilder.GetBytes() + this->Order.GetBytes() + this->Rasterizer.GetBytes();
   const auto add = [&bytes](const auto& values) { bytes += values.capacity() * sizeof(values[0]); };
   add(this->Mesh.Points);
   add(this->Mesh.Corners);

@@ -6,6 +6,7 @@
 #include "Frame/BoundaryShading.h"
 #include "Frame/NearClip.h"
 #include "Frame/TetrahedraFrame.h"
+#include "Mesh/MeshBuilder.h"
 #include "Mesh/TetrahedraBuilder.h"
 #include "Order/BoundaryFaces.h"
 #include "Order/TetrahedraOrder.h"
@@ -79,7 +80,9 @@ private:
   struct DrawnState;
 
   WindowResources& GetResources(vtkWindow* window);
-  std::string UpdateMesh(const Request& request);
+  /// Makes the mesh anew, or where it is the same its values alone. Returns what is wrong, or
+  /// nothing.
+  std::string UpdateMesh(const Request& request, vtkTetrahedraReport& report);
   void CountTetrahedra(const Request& request, vtkTetrahedraReport& report) const;
   std::string UpdateColors(const Request& request, vtkVolumeProperty* property, double unit);
   void ChooseBlend(const Request& request, vtkTetrahedraReport& report);
@@ -138,6 +141,7 @@ private:
 
   /// The versions count what is made anew, so that each window can tell what it has to upload.
   int MeshVersion = 0;
+  int ValueVersion = 0;
   int ColorVersion = 0;
   int OrderVersion = 0;
   int SurfaceVersion = 0;
@@ -153,7 +157,7 @@ private:
   TetrahedraMesh Mesh;
   TetrahedraFields Fields;
   PiecewiseLinearTransfer Pieces;
-  TetrahedraBuilder::Counts Counts;
+  interlume::MeshBuilder MeshBuilder;
   TetrahedraOrder Order;
   NearClip Clip;
   TetrahedraDepth Depth;

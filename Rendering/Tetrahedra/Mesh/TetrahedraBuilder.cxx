@@ -3,21 +3,9 @@
 
 #include "Common/ArrayCheck.h"
 
-#include "vtkArrayDispatch.h"
-#include "vtkCell.h"
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
-#include "vtkDataArrayRange.h"
-#include "vtkDataSetAttributes.h"
-#include "vtkGenericCell.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkPoints.h"
-#include "vtkSMPTools.h"
-#include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -26,189 +14,6 @@
 
 namespace interlume
 {
-
-namespace
-{
-// The reasons for which a tetrahedron is left out.
-enum Marks : unsigned char
-{
-  DRAWN,
-  FLAT,
-  NON_FINITE,
-  GHOST
-};
-
-// Copies point ids of one storage width.
-struct CornerCopier
-{
-  template <typename Array>
-  void operator()(Array* connectivity, std::vector<std::uint32_t>& corners) const
-  {
-    const auto ids = vtk::DataArrayValueRange(connectivity);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(corners.size()),
-      [&](vtkIdType first, vtkIdType last)
-      {
-        for (vtkIdType i = first; i < last; ++i)
-        {
-          corners[i] = static_cast<std::uint32_t>(ids[i]);
-        }
-      });
-  }
-};
-
-bool IsFinite(vtkDataArray* array, vtkIdType id)
-{
-  for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-  {
-    if (!std::isfinite(array->GetComponent(id, c)))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-// Sets mesh coordinates, and marks points that cannot be used.
-std::vector<unsigned char> CopyPoints(
-  vtkUnstructuredGrid* grid, const TetrahedraArrays& arrays, TetrahedraMesh& mesh)
-{
-  vtkDataArray* coordinates = grid->GetPoints()->GetData();
-  const vtkIdType points = coordinates->GetNumberOfTuples();
-  std::vector<unsigned char> isBad(points, 0);
-  mesh.Points.resize(3 * static_cast<std::size_t>(points));
-  vtkSMPTools::For(0, points,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType p = first; p < last; ++p)
-      {
-        for (int i = 0; i < 3; ++i)
-        {
-          mesh.Points[3 * p + i] = coordinates->GetComponent(p, i);
-        }
-        isBad[p] = !IsFinite(coordinates, p) ||
-          (arrays.Scalars && !arrays.ScalarsAreOfCells && !IsFinite(arrays.Scalars, p)) ||
-          (arrays.DeltaT && !IsFinite(arrays.DeltaT, p));
-      }
-    });
-  double bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
-  bool isFirst = true;
-  for (vtkIdType p = 0; p < points; ++p)
-  {
-    for (int i = 0; i < 3 && !isBad[p]; ++i)
-    {
-      const double x = mesh.Points[3 * p + i];
-      bounds[2 * i] = isFirst ? x : std::min(bounds[2 * i], x);
-      bounds[2 * i + 1] = isFirst ? x : std::max(bounds[2 * i + 1], x);
-    }
-    isFirst = isFirst && isBad[p];
-  }
-  mesh.Scale = 0.0;
-  for (int i = 0; i < 3; ++i)
-  {
-    mesh.Origin[i] = 0.5 * bounds[2 * i] + 0.5 * bounds[2 * i + 1];
-    mesh.Scale = std::max(mesh.Scale, bounds[2 * i + 1] - mesh.Origin[i]);
-  }
-  mesh.Scale = mesh.Scale > 0.0 ? mesh.Scale : 1.0;
-  vtkSMPTools::For(0, points,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType p = first; p < last; ++p)
-      {
-        for (int i = 0; i < 3; ++i)
-        {
-          double& x = mesh.Points[3 * p + i];
-          x = isBad[p] ? 0.0 : (x - mesh.Origin[i]) / mesh.Scale;
-        }
-      }
-    });
-  return isBad;
-}
-}
-
-std::string TetrahedraBuilder::BuildMesh(
-  vtkUnstructuredGrid* grid, const TetrahedraArrays& arrays, TetrahedraMesh& mesh, Counts& counts)
-{
-  counts = Counts();
-  mesh = TetrahedraMesh();
-  const vtkIdType cells = grid->GetNumberOfCells();
-  if (cells == 0 || !grid->GetPoints())
-  {
-    return {};
-  }
-  for (vtkIdType cell = 0; cell < cells; ++cell)
-  {
-    if (grid->GetCellType(cell) != VTK_TETRA)
-    {
-      const auto type =
-        vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(grid->GetCellType(cell)));
-      return "cell " + std::to_string(cell) + " is a " +
-        (type ? type->GetClassName() : "cell of unknown type") +
-        ", and only tetrahedra can be drawn; vtkDataSetTriangleFilter, vtkIntervalVolume "
-        "without KeepWholeCells or vtkTetrahedralMesher make tetrahedra of it";
-    }
-  }
-  if (std::max(cells, grid->GetNumberOfPoints()) >= std::numeric_limits<std::uint32_t>::max())
-  {
-    return "more than 4294967294 points or cells";
-  }
-
-  const std::vector<unsigned char> isBad = CopyPoints(grid, arrays, mesh);
-  mesh.Corners.resize(4 * static_cast<std::size_t>(cells));
-  const CornerCopier copier;
-  vtkDataArray* connectivity = grid->GetCells()->GetConnectivityArray();
-  if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Integrals>::Execute(
-        connectivity, copier, mesh.Corners))
-  {
-    copier(connectivity, mesh.Corners);
-  }
-
-  vtkUnsignedCharArray* ghosts = vtkUnsignedCharArray::SafeDownCast(
-    grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  std::vector<unsigned char> marks(cells, DRAWN);
-  vtkSMPTools::For(0, cells,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType cell = first; cell < last; ++cell)
-      {
-        const std::uint32_t* corners = mesh.GetCorners(static_cast<std::uint32_t>(cell));
-        const bool isGhost = ghosts &&
-          (ghosts->GetValue(cell) &
-            (vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL));
-        if (isGhost)
-        {
-          marks[cell] = GHOST;
-        }
-        else if (isBad[corners[0]] || isBad[corners[1]] || isBad[corners[2]] || isBad[corners[3]] ||
-          (arrays.Scalars && arrays.ScalarsAreOfCells && !IsFinite(arrays.Scalars, cell)))
-        {
-          marks[cell] = NON_FINITE;
-        }
-        else if (mesh.GetSixfoldVolume(static_cast<std::uint32_t>(cell)) == 0.0)
-        {
-          marks[cell] = FLAT;
-        }
-      }
-    });
-  counts.Flat = std::count(marks.begin(), marks.end(), FLAT);
-  counts.NonFinite = std::count(marks.begin(), marks.end(), NON_FINITE);
-  const vtkIdType drawn = std::count(marks.begin(), marks.end(), DRAWN);
-  if (drawn < cells)
-  {
-    std::vector<std::uint32_t> kept;
-    kept.reserve(4 * static_cast<std::size_t>(drawn));
-    for (vtkIdType cell = 0; cell < cells; ++cell)
-    {
-      if (marks[cell] == DRAWN)
-      {
-        const std::uint32_t* corners = mesh.GetCorners(static_cast<std::uint32_t>(cell));
-        kept.insert(kept.end(), corners, corners + 4);
-        mesh.Cells.push_back(static_cast<std::uint32_t>(cell));
-      }
-    }
-    mesh.Corners = std::move(kept);
-  }
-  return {};
-}
 
 int TetrahedraBuilder::GetColoringComponent(vtkDataArray* scalars, vtkVolumeProperty* property)
 {
@@ -323,7 +128,7 @@ std::string TetrahedraBuilder::BuildColors(const TetrahedraArrays& arrays,
   const int component = GetColoringComponent(scalars, property);
   const std::size_t points = mesh.Points.size() / 3;
   const auto isFinite = [&](std::size_t id)
-  { return IsFinite(scalars, static_cast<vtkIdType>(id)); };
+  { return TetrahedraArrays::IsFinite(scalars, static_cast<vtkIdType>(id)); };
   if (arrays.ScalarsAreOfCells)
   {
     fields.Kind = TetrahedraFields::CELL_COLORS;

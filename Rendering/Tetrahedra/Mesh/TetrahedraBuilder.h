@@ -2,51 +2,25 @@
 #ifndef interlume_TetrahedraBuilder_h
 #define interlume_TetrahedraBuilder_h
 
+#include "Mesh/TetrahedraArrays.h"
 #include "Mesh/TetrahedraFields.h"
 #include "Mesh/TetrahedraMesh.h"
 
 #include <string>
 
 class vtkDataArray;
-class vtkUnstructuredGrid;
 class vtkVolumeProperty;
 
 namespace interlume
 {
 
 /**
- * The arrays of a grid that are read; null where there is none.
- */
-struct TetrahedraArrays
-{
-  vtkDataArray* Scalars = nullptr;
-  bool ScalarsAreOfCells = false;
-  vtkDataArray* DeltaT = nullptr;
-  vtkDataArray* Layers = nullptr;
-};
-
-/**
  * @class   TetrahedraBuilder
- * @brief   makes the mesh and the fields that are drawn from a grid and its arrays
- *
- * Each function returns what is wrong, or nothing.
+ * @brief   makes the fields that are drawn from the arrays of a grid
  */
 class TetrahedraBuilder
 {
 public:
-  struct Counts
-  {
-    vtkIdType Flat = 0;
-    vtkIdType NonFinite = 0;
-  };
-
-  /**
-   * Makes the mesh without flat tetrahedra, ghosts, and those with NaN or infinity in a coordinate
-   * or array.
-   */
-  static std::string BuildMesh(vtkUnstructuredGrid* grid, const TetrahedraArrays& arrays,
-    TetrahedraMesh& mesh, Counts& counts);
-
   /**
    * Makes all fields but colours that transfer functions give.
    */
@@ -55,7 +29,7 @@ public:
 
   /**
    * Makes kind, scalars, and colours where they are not looked up while drawing. Extinction is
-   * opacity times \a unit.
+   * opacity times \a unit. Returns what is wrong, or nothing.
    */
   static std::string BuildColors(const TetrahedraArrays& arrays, const TetrahedraMesh& mesh,
     vtkVolumeProperty* property, double unit, TetrahedraFields& fields);

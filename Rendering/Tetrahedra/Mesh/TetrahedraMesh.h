@@ -48,10 +48,14 @@ struct TetrahedraMesh
   {
     return &this->Points[3 * static_cast<std::size_t>(id)];
   }
-  /// Returns six times the volume, positive for one orientation, negative for the other.
+  ///@{
+  /// Return six times the volume, positive for one orientation, negative for the other.
   double GetSixfoldVolume(std::uint32_t tetrahedron) const
   {
-    const std::uint32_t* corners = this->GetCorners(tetrahedron);
+    return this->GetSixfoldVolume(this->GetCorners(tetrahedron));
+  }
+  double GetSixfoldVolume(const std::uint32_t* corners) const
+  {
     const double* o = this->GetPoint(corners[0]);
     double e[3][3];
     for (int k = 0; k < 3; ++k)
@@ -66,6 +70,7 @@ struct TetrahedraMesh
       e[0][1] * (e[1][2] * e[2][0] - e[1][0] * e[2][2]) +
       e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
   }
+  ///@}
   const std::uint32_t* GetCorners(std::uint32_t tetrahedron) const
   {
     return &this->Corners[4 * static_cast<std::size_t>(tetrahedron)];

@@ -41,8 +41,8 @@ std::vector<float> MakeVolumes(const TetrahedraMesh& mesh)
   return volumes;
 }
 
-// Returns the coordinates, with the scalar as the fourth.
-std::vector<float> MakePoints(const TetrahedraMesh& mesh, const TetrahedraFields& fields)
+// Returns the coordinates, with a fourth of 0.
+std::vector<float> MakePoints(const TetrahedraMesh& mesh)
 {
   const std::size_t points = mesh.Points.size() / 3;
   std::vector<float> values(4 * points);
@@ -52,7 +52,6 @@ std::vector<float> MakePoints(const TetrahedraMesh& mesh, const TetrahedraFields
     {
       values[4 * p + i] = static_cast<float>(mesh.Points[3 * p + i]);
     }
-    values[4 * p + 3] = fields.Scalars.empty() ? 0.0f : fields.Scalars[p];
   }
   return values;
 }
@@ -121,18 +120,26 @@ void OpenGLRasterizer::Upload(vtkOpenGLRenderWindow* window, const TetrahedraFra
   vtkIdType bytes = 0;
   const auto upload = [&](TextureBuffer& buffer, TextureBuffer::Formats format, const auto& values)
   { bytes += buffer.Upload(window, format, values.data(), values.size() * sizeof(values[0])); };
-  if (changes.Mesh || !this->Points.IsAllocated())
+  const bool isNew = !this->Points.IsAllocated();
+  if (changes.Mesh || isNew)
   {
+    upload(this->Points, TextureBuffer::FLOAT4, MakePoints(mesh));
     upload(this->Corners, TextureBuffer::UINT4, mesh.Corners);
     upload(this->Volumes, TextureBuffer::FLOAT, MakeVolumes(mesh));
+  }
+  if (changes.Values || isNew)
+  {
     if (!fields.DeltaT.empty())
     {
       upload(this->DeltaTs, TextureBuffer::FLOAT, fields.DeltaT);
     }
+    if (fields.Kind == TetrahedraFields::SCALARS)
+    {
+      upload(this->Scalars, TextureBuffer::FLOAT, fields.Scalars);
+    }
   }
-  if (changes.Mesh || changes.Colors || !this->Points.IsAllocated())
+  if (changes.Colors || isNew)
   {
-    upload(this->Points, TextureBuffer::FLOAT4, MakePoints(mesh, fields));
     if (fields.Kind != TetrahedraFields::SCALARS)
     {
       upload(this->Colors, TextureBuffer::FLOAT4, fields.Colors);
@@ -409,11 +416,15 @@ bool OpenGLRasterizer::DrawLayer(vtkOpenGLRenderWindow* window, const Tetrahedra
   {
     activate(this->DeltaTs, "deltaTs");
   }
-  if (frame.Fields->Kind != TetrahedraFields::SCALARS)
+  if (frame.Fields->Kind == TetrahedraFields::SCALARS)
+  {
+    activate(this->Scalars, "scalars");
+  }
+  else
   {
     activate(this->Colors, "colors");
   }
-  else if (frame.Blend != TetrahedraFrame::MAXIMUM)
+  if (frame.Fields->Kind == TetrahedraFields::SCALARS && frame.Blend != TetrahedraFrame::MAXIMUM)
   {
     activate(this->Pieces, "pieces");
     activate(this->Starts, "starts");
@@ -525,10 +536,11 @@ void OpenGLRasterizer::ReportBuffers(
   report.BufferBytes += static_cast<vtkIdType>(this->OrderSize * sizeof(std::uint32_t));
 }
 
-std::array<TextureBuffer*, 10> OpenGLRasterizer::GetBuffers()
+std::array<TextureBuffer*, 11> OpenGLRasterizer::GetBuffers()
 {
-  return { &this->Points, &this->Corners, &this->Volumes, &this->DeltaTs, &this->Colors,
-    &this->Faces, &this->SurfacePoints, &this->Pieces, &this->Starts, &this->Buckets };
+  return { &this->Points, &this->Corners, &this->Volumes, &this->Scalars, &this->DeltaTs,
+    &this->Colors, &this->Faces, &this->SurfacePoints, &this->Pieces, &this->Starts,
+    &this->Buckets };
 }
 
 void OpenGLRasterizer::ReleaseGraphicsResources(vtkWindow* window)

@@ -48,6 +48,7 @@ public:
   struct Changes
   {
     bool Mesh = true;
+    bool Values = true;
     bool Colors = true;
     bool Order = true;
     bool Surface = true;
@@ -83,11 +84,12 @@ private:
   void Resolve(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
     vtkTextureObject* texture, bool isResolved);
   void ReportBuffers(const TetrahedraFrame& frame, bool hasOpaque, vtkTetrahedraReport& report);
-  std::array<TextureBuffer*, 10> GetBuffers();
+  std::array<TextureBuffer*, 11> GetBuffers();
 
   TextureBuffer Points;
   TextureBuffer Corners;
   TextureBuffer Volumes;
+  TextureBuffer Scalars;
   TextureBuffer DeltaTs;
   TextureBuffer Colors;
   TextureBuffer Faces;

@@ -13,6 +13,11 @@ void TetrahedraOrder::Reset()
   this->Visibility.reset();
 }
 
+void TetrahedraOrder::ResetLayers()
+{
+  this->Kind = this->Kind == LAYERS ? NONE : this->Kind;
+}
+
 const std::vector<std::uint32_t>* TetrahedraOrder::Compute(
   Kinds kind, const TetrahedraMesh& mesh, const TetrahedraView& view)
 {

@@ -36,6 +36,11 @@ public:
   void Reset();
 
   /**
+   * Forgets an order by layers: others are in them.
+   */
+  void ResetLayers();
+
+  /**
    * Returns the order from front to back, or null for none. WasComputed() returns false where the
    * order is that of the call before.
    */

@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/MeshBuilder.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkCell.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkGenericCell.h"
+#include "vtkPoints.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+namespace interlume
+{
+
+namespace
+{
+// The reasons for which a tetrahedron is left out.
+enum Reasons : unsigned char
+{
+  DRAWN,
+  FLAT,
+  NON_FINITE,
+  GHOST
+};
+
+// Calls work(first, last) for the parts of a range by all threads, until one of them returns false,
+// and returns whether none has.
+template <typename Work>
+bool HoldsForAll(vtkIdType number, const Work& work)
+{
+  constexpr vtkIdType grain = 16384;
+  std::atomic<bool> holds{ true };
+  vtkSMPTools::For(0, number, grain,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      if (holds && !work(first, last))
+      {
+        holds = false;
+      }
+    });
+  return holds;
+}
+
+// Returns the first cell that is no tetrahedron, or -1.
+vtkIdType FindOther(vtkUnstructuredGrid* grid)
+{
+  std::atomic<vtkIdType> found{ std::numeric_limits<vtkIdType>::max() };
+  HoldsForAll(grid->GetNumberOfCells(),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType cell = first; cell < last; ++cell)
+      {
+        if (grid->GetCellType(cell) != VTK_TETRA)
+        {
+          vtkIdType before = found;
+          while (cell < before && !found.compare_exchange_weak(before, cell))
+          {
+          }
+          break;
+        }
+      }
+      return true;
+    });
+  return found == std::numeric_limits<vtkIdType>::max() ? -1 : found.load();
+}
+
+// Calls visit(cell, ids) for the cells of a grid by all threads, until one call returns false.
+struct CellVisit
+{
+  template <typename Array, typename Visit>
+  void operator()(Array* connectivity, vtkIdType cells, const Visit& visit, bool& holds) const
+  {
+    const auto ids = vtk::DataArrayValueRange(connectivity);
+    holds = HoldsForAll(cells,
+      [&](vtkIdType first, vtkIdType last)
+      {
+        bool isHeld = true;
+        for (vtkIdType cell = first; cell < last && isHeld; ++cell)
+        {
+          std::array<std::uint32_t, 4> corners;
+          for (int k = 0; k < 4; ++k)
+          {
+            corners[k] = static_cast<std::uint32_t>(ids[4 * cell + k]);
+          }
+          isHeld = visit(cell, corners);
+        }
+        return isHeld;
+      });
+  }
+};
+
+template <typename Visit>
+bool VisitCells(vtkUnstructuredGrid* grid, const Visit& visit)
+{
+  bool holds = true;
+  const CellVisit worker;
+  vtkDataArray* connectivity = grid->GetCells()->GetConnectivityArray();
+  if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Integrals>::Execute(
+        connectivity, worker, grid->GetNumberOfCells(), visit, holds))
+  {
+    worker(connectivity, grid->GetNumberOfCells(), visit, holds);
+  }
+  return holds;
+}
+
+// The points of a grid, of which those with NaN or infinity, or with values that have it, are bad.
+class Points
+{
+public:
+  Points(vtkUnstructuredGrid* grid, const TetrahedraArrays& arrays)
+    : Coordinates(grid->GetPoints()->GetData())
+    , Arrays(arrays)
+  {
+  }
+
+  vtkIdType GetNumber() const { return this->Coordinates->GetNumberOfTuples(); }
+
+  bool Get(vtkIdType point, double* place) const
+  {
+    this->Coordinates->GetTuple(point, place);
+    return std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(place[2]) &&
+      this->Arrays.HasPoint(point);
+  }
+
+  // Sets origin and scale of the mesh, by which coordinates are of size 1 around 0.
+  void Measure(TetrahedraMesh& mesh) const
+  {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    constexpr vtkIdType chunk = 16384;
+    const vtkIdType points = this->GetNumber();
+    using Box = std::array<double, 6>;
+    const Box empty{ { none, none, none, -none, -none, -none } };
+    std::vector<Box> boxes((points + chunk - 1) / chunk, empty);
+    const auto widen = [](Box& box, const double* low, const double* high)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        box[i] = std::min(box[i], low[i]);
+        box[i + 3] = std::max(box[i + 3], high[i]);
+      }
+    };
+    vtkSMPTools::For(0, static_cast<vtkIdType>(boxes.size()), 1,
+      [&](vtkIdType first, vtkIdType last)
+      {
+        double place[3];
+        for (vtkIdType p = first * chunk; p < std::min(points, last * chunk); ++p)
+        {
+          if (this->Get(p, place))
+          {
+            widen(boxes[p / chunk], place, place);
+          }
+        }
+      });
+    Box all = empty;
+    for (const Box& box : boxes)
+    {
+      widen(all, box.data(), box.data() + 3);
+    }
+    mesh.Scale = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const double low = all[i] <= all[i + 3] ? all[i] : 0.0;
+      const double high = all[i] <= all[i + 3] ? all[i + 3] : 0.0;
+      mesh.Origin[i] = 0.5 * low + 0.5 * high;
+      mesh.Scale = std::max(mesh.Scale, high - mesh.Origin[i]);
+    }
+    mesh.Scale = mesh.Scale > 0.0 ? mesh.Scale : 1.0;
+  }
+
+  // Computes the mesh's coordinates of a point, and returns whether it is good.
+  bool Place(const TetrahedraMesh& mesh, vtkIdType point, double* place) const
+  {
+    const bool isGood = this->Get(point, place);
+    for (int i = 0; i < 3; ++i)
+    {
+      place[i] = isGood ? (place[i] - mesh.Origin[i]) / mesh.Scale : 0.0;
+    }
+    return isGood;
+  }
+
+private:
+  vtkDataArray* Coordinates;
+  const TetrahedraArrays& Arrays;
+};
+
+// Finds the reason for which a cell is left out.
+class Reason
+{
+public:
+  Reason(vtkUnstructuredGrid* grid, const TetrahedraArrays& arrays, const TetrahedraMesh& mesh,
+    const std::vector<unsigned char>& badPoints)
+    : Arrays(arrays)
+    , Mesh(mesh)
+    , BadPoints(badPoints)
+    , Ghosts(vtkUnsignedCharArray::SafeDownCast(
+        grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName())))
+  {
+  }
+
+  // Returns it for a cell without its corners, DRAWN where those decide.
+  Reasons GetOwn(vtkIdType cell) const
+  {
+    const bool isGhost = this->Ghosts &&
+      (this->Ghosts->GetValue(cell) &
+        (vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL));
+    return isGhost ? GHOST : this->Arrays.HasCell(cell) ? DRAWN : NON_FINITE;
+  }
+
+  Reasons Get(vtkIdType cell, const std::array<std::uint32_t, 4>& corners) const
+  {
+    const Reasons own = this->GetOwn(cell);
+    if (own != DRAWN)
+    {
+      return own;
+    }
+    const bool isBad = !this->BadPoints.empty() &&
+      std::any_of(corners.begin(), corners.end(),
+        [this](std::uint32_t id) { return this->BadPoints[id] != 0; });
+    return isBad ? NON_FINITE : this->Mesh.GetSixfoldVolume(corners.data()) == 0.0 ? FLAT : DRAWN;
+  }
+
+private:
+  const TetrahedraArrays& Arrays;
+  const TetrahedraMesh& Mesh;
+  const std::vector<unsigned char>& BadPoints;
+  vtkUnsignedCharArray* Ghosts;
+};
+
+// Empties marks that are all 0.
+void ForgetZeros(std::vector<unsigned char>& marks)
+{
+  if (std::find_if(marks.begin(), marks.end(), [](unsigned char mark) { return mark != 0; }) ==
+    marks.end())
+  {
+    std::vector<unsigned char>().swap(marks);
+  }
+}
+}
+
+std::string MeshBuilder::Build(
+  vtkUnstructuredGrid* grid, const TetrahedraArrays& arrays, TetrahedraMesh& mesh)
+{
+  *this = MeshBuilder();
+  mesh = TetrahedraMesh();
+  const vtkIdType cells = grid->GetNumberOfCells();
+  if (cells == 0 || !grid->GetPoints())
+  {
+    return {};
+  }
+  const vtkIdType other = FindOther(grid);
+  if (other >= 0)
+  {
+    const auto type =
+      vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(grid->GetCellType(other)));
+    return "cell " + std::to_string(other) + " is a " +
+      (type ? type->GetClassName() : "cell of unknown type") +
+      ", and only tetrahedra can be drawn; vtkDataSetTriangleFilter, vtkIntervalVolume "
+      "without KeepWholeCells or vtkTetrahedralMesher make tetrahedra of it";
+  }
+  if (std::max(cells, grid->GetNumberOfPoints()) >= std::numeric_limits<std::uint32_t>::max())
+  {
+    return "more than 4294967294 points or cells";
+  }
+
+  const Points points(grid, arrays);
+  points.Measure(mesh);
+  mesh.Points.resize(3 * static_cast<std::size_t>(points.GetNumber()));
+  this->BadPoints.resize(points.GetNumber());
+  vtkSMPTools::For(0, points.GetNumber(),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType p = first; p < last; ++p)
+      {
+        this->BadPoints[p] = !points.Place(mesh, p, &mesh.Points[3 * p]);
+      }
+    });
+  ForgetZeros(this->BadPoints);
+
+  mesh.Corners.resize(4 * static_cast<std::size_t>(cells));
+  this->Marks.resize(cells);
+  const Reason reason(grid, arrays, mesh, this->BadPoints);
+  VisitCells(grid,
+    [&](vtkIdType cell, const std::array<std::uint32_t, 4>& corners)
+    {
+      std::copy(corners.begin(), corners.end(), &mesh.Corners[4 * cell]);
+      this->Marks[cell] = reason.Get(cell, corners);
+      return true;
+    });
+  ForgetZeros(this->Marks);
+  if (!this->Marks.empty())
+  {
+    this->LeaveOut(mesh);
+  }
+  return {};
+}
+
+void MeshBuilder::LeaveOut(TetrahedraMesh& mesh)
+{
+  this->Flat = std::count(this->Marks.begin(), this->Marks.end(), FLAT);
+  this->NonFinite = std::count(this->Marks.begin(), this->Marks.end(), NON_FINITE);
+  const auto drawn =
+    static_cast<std::size_t>(std::count(this->Marks.begin(), this->Marks.end(), DRAWN));
+  std::vector<std::uint32_t> kept;
+  kept.reserve(4 * drawn);
+  mesh.Cells.reserve(drawn);
+  for (std::size_t cell = 0; cell < this->Marks.size(); ++cell)
+  {
+    if (this->Marks[cell] == DRAWN)
+    {
+      const std::uint32_t* corners = mesh.GetCorners(static_cast<std::uint32_t>(cell));
+      kept.insert(kept.end(), corners, corners + 4);
+      mesh.Cells.push_back(static_cast<std::uint32_t>(cell));
+    }
+  }
+  mesh.Corners = std::move(kept);
+}
+
+bool MeshBuilder::IsSame(
+  vtkUnstructuredGrid* grid, const TetrahedraArrays& arrays, const TetrahedraMesh& mesh) const
+{
+  const auto cells =
+    static_cast<vtkIdType>(this->Marks.empty() ? mesh.GetNumberOfTetrahedra() : this->Marks.size());
+  if (cells == 0 || grid->GetNumberOfCells() != cells || !grid->GetPoints() ||
+    3 * static_cast<std::size_t>(grid->GetNumberOfPoints()) != mesh.Points.size() ||
+    FindOther(grid) >= 0)
+  {
+    return false;
+  }
+  const Points points(grid, arrays);
+  TetrahedraMesh measured;
+  points.Measure(measured);
+  const bool hasSamePoints = measured.Origin == mesh.Origin && measured.Scale == mesh.Scale &&
+    HoldsForAll(points.GetNumber(),
+      [&](vtkIdType first, vtkIdType last)
+      {
+        bool isHeld = true;
+        std::array<double, 3> place;
+        for (vtkIdType p = first; p < last && isHeld; ++p)
+        {
+          const bool isBad = !points.Place(mesh, p, place.data());
+          isHeld = isBad == (!this->BadPoints.empty() && this->BadPoints[p] != 0) &&
+            std::equal(place.begin(), place.end(), mesh.GetPoint(static_cast<std::uint32_t>(p)));
+        }
+        return isHeld;
+      });
+  if (!hasSamePoints)
+  {
+    return false;
+  }
+  const Reason reason(grid, arrays, mesh, this->BadPoints);
+  return VisitCells(grid,
+    [&](vtkIdType cell, const std::array<std::uint32_t, 4>& corners)
+    {
+      auto tetrahedron = static_cast<std::size_t>(cell);
+      if (!this->Marks.empty())
+      {
+        if (this->Marks[cell] != DRAWN)
+        {
+          return this->Marks[cell] == reason.Get(cell, corners);
+        }
+        tetrahedron =
+          std::lower_bound(mesh.Cells.begin(), mesh.Cells.end(), cell) - mesh.Cells.begin();
+      }
+      return reason.GetOwn(cell) == DRAWN &&
+        std::equal(corners.begin(), corners.end(), &mesh.Corners[4 * tetrahedron]);
+    });
+}
+
+}
