@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Software/FragmentBlending.h"
 
+#include "Software/FragmentClones.h"
 #include "Software/SurfaceFragments.h"
 
 #include <algorithm>
@@ -13,7 +14,8 @@ namespace
 {
 using Pixel = FragmentBlending::Pixel;
 
-// Calls blend(pixel, i, color) for every segment, its color multiplied by its weights.
+// Calls blend(pixel, i, color) for every segment, its color multiplied by its weights, and its
+// total.
 template <typename Blend>
 void ForEachColor(
   const Fragments& f, const TetrahedraFrame& frame, Pixel* pixels, const Blend& blend)
@@ -42,6 +44,7 @@ void ForEachColor(
         {
           color = f.BentColors[-1 - piece];
         }
+        color[3] = f.Total[i];
         blend(*pixel, i, color);
       }
     }
@@ -54,6 +57,7 @@ void ForEachColor(
         {
           color[c] = f.Weight[0][i] * f.Colors[0][i][c] + f.Weight[1][i] * f.Colors[1][i][c];
         }
+        color[3] = f.Total[i];
         blend(*pixel, i, color);
       }
     }
@@ -68,26 +72,44 @@ void ForEachColor(
         {
           color[c] = weight * cell[c];
         }
+        color[3] = f.Total[i];
         blend(*pixel, i, color);
       }
     }
   }
 }
-}
 
-void FragmentBlending::Composite(const Fragments& f, const TetrahedraFrame& frame, Pixel* pixels)
+INTERLUME_CLONES
+void CompositeColors(const Fragments& f, const TetrahedraFrame& frame, Pixel* pixels)
 {
   ForEachColor(f, frame, pixels,
-    [&f](Pixel& pixel, int i, const Pixel& color)
+    [](Pixel& pixel, int, const Pixel& color)
     {
-      const float opacity = pixel[3];
-      const float through = 1.0f - opacity;
+      const float through = 1.0f - pixel[3];
       for (int c = 0; c < 4; ++c)
       {
         pixel[c] += through * color[c];
       }
-      pixel[3] = opacity + through * f.Total[i];
     });
+}
+
+INTERLUME_CLONES
+void SumColors(const Fragments& f, const TetrahedraFrame& frame, Pixel* pixels)
+{
+  ForEachColor(f, frame, pixels,
+    [](Pixel& pixel, int, const Pixel& color)
+    {
+      for (int c = 0; c < 4; ++c)
+      {
+        pixel[c] += color[c];
+      }
+    });
+}
+}
+
+void FragmentBlending::Composite(const Fragments& f, const TetrahedraFrame& frame, Pixel* pixels)
+{
+  CompositeColors(f, frame, pixels);
 }
 
 void FragmentBlending::CompositeWithSurface(
@@ -105,23 +127,14 @@ void FragmentBlending::CompositeWithSurface(
     [&](Pixel& pixel, int i, const Pixel& color)
     {
       lay(pixel, surface.GetFront(i));
-      lay(pixel, { { color[0], color[1], color[2], f.Total[i] } });
+      lay(pixel, color);
       lay(pixel, surface.GetBack(i));
     });
 }
 
 void FragmentBlending::Sum(const Fragments& f, const TetrahedraFrame& frame, Pixel* pixels)
 {
-  ForEachColor(f, frame, pixels,
-    [&f](Pixel& pixel, int i, const Pixel& color)
-    {
-      const float sum = pixel[3];
-      for (int c = 0; c < 4; ++c)
-      {
-        pixel[c] += color[c];
-      }
-      pixel[3] = sum + f.Total[i];
-    });
+  SumColors(f, frame, pixels);
 }
 
 void FragmentBlending::LargestScalar(const Fragments& f, Pixel* pixels)

@@ -6,6 +6,7 @@
 #include "Software/FragmentClones.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -80,6 +81,36 @@ inline Moments GetMoments(float t0, float t1, float d0, float d1)
 }
 
 using Fragments = interlume::Fragments;
+
+// Calls action(i) where test(i) holds, which is rare: groups of segments are tested at once.
+template <typename Test, typename Action>
+inline void ForEachWhere(int size, const Test& test, const Action& action)
+{
+  constexpr int group = 16;
+  int first = 0;
+  for (; first + group <= size; first += group)
+  {
+    int number = 0;
+    for (int i = first; i < first + group; ++i)
+    {
+      number += test(i) ? 1 : 0;
+    }
+    for (int i = first; number > 0 && i < first + group; ++i)
+    {
+      if (test(i))
+      {
+        action(i);
+      }
+    }
+  }
+  for (; first < size; ++first)
+  {
+    if (test(first))
+    {
+      action(first);
+    }
+  }
+}
 
 // Each loop is in a function of its own, since a clone is made of functions.
 INTERLUME_CLONES
@@ -161,18 +192,17 @@ void MakeThinOpacities(Fragments& f)
 void MakeThickOpacities(Fragments& f)
 {
   const SegmentTable& table = SegmentTable::Get();
-  for (int i = 0; i < f.Size; ++i)
-  {
-    const float depth = f.OpticalDepth[i];
-    if (depth >= THIN)
+  ForEachWhere(
+    f.Size, [&f](int i) { return f.OpticalDepth[i] >= THIN; },
+    [&](int i)
     {
+      const float depth = f.OpticalDepth[i];
       const float opacity = 1.0f - ExpOfMinus(depth);
       const float front = table.GetFrontShare(std::min(depth, 1e7f), f.Slope[i]) * opacity;
       f.Weight[0][i] = front;
       f.Weight[1][i] = opacity - front;
       f.Total[i] = opacity;
-    }
-  }
+    });
 }
 
 // Computes weights that are alike at both ends.
@@ -292,11 +322,100 @@ namespace
 /// The number of pieces up to which comparing with each start is faster than a search.
 constexpr int FEW = 12;
 
+inline std::int32_t ToBits(float value)
+{
+  std::int32_t bits;
+  std::memcpy(&bits, &value, sizeof(bits));
+  return bits;
+}
+
+inline float FromBits(std::int32_t bits)
+{
+  float value;
+  std::memcpy(&value, &bits, sizeof(value));
+  return value;
+}
+
+/// What the pieces of the transfer functions have, one array for each.
+struct PieceArrays
+{
+  const float* Starts;
+  const float* Values;
+  const float* Slopes;
+};
+
 // Finds the piece, place in it and extinction of one end of all segments, for so few pieces that
-// comparing with each start is faster than a search.
+// comparing with each start is faster than a search, and choosing what it has than a lookup.
+template <int Number>
+inline void LookUpEach(
+  float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
+{
+  std::array<float, Number> starts;
+  std::array<std::int32_t, Number> startBits;
+  std::array<std::int32_t, Number> valueBits;
+  std::array<std::int32_t, Number> slopeBits;
+  for (int piece = 0; piece < Number; ++piece)
+  {
+    starts[piece] = pieces.Starts[piece];
+    startBits[piece] = ToBits(pieces.Starts[piece]);
+    valueBits[piece] = ToBits(pieces.Values[piece]);
+    slopeBits[piece] = ToBits(pieces.Slopes[piece]);
+  }
+  for (int i = 0; i < size; ++i)
+  {
+    const float low = scalars[i] > 0.0f ? scalars[i] : 0.0f;
+    const float scalar = low < 1.0f ? low : 1.0f;
+    std::int32_t place = 0;
+    std::int32_t start = startBits[0];
+    std::int32_t value = valueBits[0];
+    std::int32_t slope = slopeBits[0];
+    for (int piece = 1; piece < Number; ++piece)
+    {
+      // Compilers make branches of choices between floats here, and no vector instructions.
+      const std::int32_t isBeyond = -static_cast<std::int32_t>(scalar >= starts[piece]);
+      place -= isBeyond;
+      start ^= (start ^ startBits[piece]) & isBeyond;
+      value ^= (value ^ valueBits[piece]) & isBeyond;
+      slope ^= (slope ^ slopeBits[piece]) & isBeyond;
+    }
+    const float offset = scalar - FromBits(start);
+    scalars[i] = offset;
+    extinctions[i] = FromBits(value) + FromBits(slope) * offset;
+    found[i] = place;
+  }
+}
+
+INTERLUME_CLONES
+void LookUpOne(
+  float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
+{
+  LookUpEach<1>(scalars, extinctions, found, size, pieces);
+}
+
+INTERLUME_CLONES
+void LookUpTwo(
+  float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
+{
+  LookUpEach<2>(scalars, extinctions, found, size, pieces);
+}
+
+INTERLUME_CLONES
+void LookUpThree(
+  float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
+{
+  LookUpEach<3>(scalars, extinctions, found, size, pieces);
+}
+
+INTERLUME_CLONES
+void LookUpFour(
+  float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
+{
+  LookUpEach<4>(scalars, extinctions, found, size, pieces);
+}
+
 INTERLUME_CLONES
 void LookUpFew(float* scalars, float* extinctions, std::int32_t* found, int size,
-  const float* starts, const float* values, const float* slopes, int pieces)
+  const PieceArrays& pieces, int number)
 {
   for (int i = 0; i < size; ++i)
   {
@@ -304,9 +423,9 @@ void LookUpFew(float* scalars, float* extinctions, std::int32_t* found, int size
     scalars[i] = low < 1.0f ? low : 1.0f;
     found[i] = 0;
   }
-  for (int piece = 1; piece < pieces; ++piece)
+  for (int piece = 1; piece < number; ++piece)
   {
-    const float start = starts[piece];
+    const float start = pieces.Starts[piece];
     for (int i = 0; i < size; ++i)
     {
       found[i] += scalars[i] >= start ? 1 : 0;
@@ -314,9 +433,9 @@ void LookUpFew(float* scalars, float* extinctions, std::int32_t* found, int size
   }
   for (int i = 0; i < size; ++i)
   {
-    const float offset = scalars[i] - starts[found[i]];
+    const float offset = scalars[i] - pieces.Starts[found[i]];
     scalars[i] = offset;
-    extinctions[i] = values[found[i]] + slopes[found[i]] * offset;
+    extinctions[i] = pieces.Values[found[i]] + pieces.Slopes[found[i]] * offset;
   }
 }
 
@@ -338,26 +457,44 @@ void LookUpMany(float* scalars, float* extinctions, std::int32_t* found, int siz
 void FragmentIntegration::LookUp(interlume::Fragments& f, const PiecewiseLinearTransfer& pieces)
 {
   const int number = pieces.GetNumberOfPieces();
+  const PieceArrays arrays{ pieces.GetStarts().data(), pieces.GetExtinctions().data(),
+    pieces.GetExtinctionSlopes().data() };
   for (int end = 0; end < 2; ++end)
   {
     float* scalars = f.Scalar[end].data();
     float* extinctions = f.Extinction[end].data();
     std::int32_t* found = f.Pieces[end].data();
-    if (number <= FEW)
+    switch (number)
     {
-      LookUpFew(scalars, extinctions, found, f.Size, pieces.GetStarts().data(),
-        pieces.GetExtinctions().data(), pieces.GetExtinctionSlopes().data(), number);
-    }
-    else
-    {
-      LookUpMany(scalars, extinctions, found, f.Size, pieces);
+      case 1:
+        LookUpOne(scalars, extinctions, found, f.Size, arrays);
+        break;
+      case 2:
+        LookUpTwo(scalars, extinctions, found, f.Size, arrays);
+        break;
+      case 3:
+        LookUpThree(scalars, extinctions, found, f.Size, arrays);
+        break;
+      case 4:
+        LookUpFour(scalars, extinctions, found, f.Size, arrays);
+        break;
+      default:
+        if (number <= FEW)
+        {
+          LookUpFew(scalars, extinctions, found, f.Size, arrays, number);
+        }
+        else
+        {
+          LookUpMany(scalars, extinctions, found, f.Size, pieces);
+        }
     }
   }
   f.NumberBent = 0;
-  for (int i = 0; i < f.Size && number > 1; ++i)
+  if (number > 1)
   {
-    f.Bent[f.NumberBent] = static_cast<std::uint16_t>(i);
-    f.NumberBent += f.Pieces[0][i] != f.Pieces[1][i];
+    ForEachWhere(
+      f.Size, [&f](int i) { return f.Pieces[0][i] != f.Pieces[1][i]; },
+      [&f](int i) { f.Bent[f.NumberBent++] = static_cast<std::uint16_t>(i); });
   }
 }
 

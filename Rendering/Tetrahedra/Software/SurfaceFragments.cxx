@@ -20,6 +20,7 @@ void SurfaceFragments::SetTetrahedron(std::uint32_t tetrahedron)
     p[k] = &this->Bins.GetPoints()[corners[k]].Place;
   }
   this->Shape.Set(*p[0], *p[1], *p[2], *p[3]);
+  this->Shape.SetSlopes();
   for (int c = 0; c < CHANNELS; ++c)
   {
     std::array<double, 4> v;

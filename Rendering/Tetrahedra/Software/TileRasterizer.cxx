@@ -23,6 +23,13 @@ using Blends = TetrahedraFrame::Blends;
 constexpr float OPAQUE_ENOUGH = 1.0f - 1e-5f;
 /// The number of flushes between two looks whether the tile is opaque.
 constexpr int LOOK_INTERVAL = 16;
+/// The pixels of a row, the last is before End.
+struct Span
+{
+  int Begin;
+  int End;
+};
+
 /// The slope per pixel of shares and of the crease from which on a row's single precision does not
 /// tell where in a tile they pass from 0 to 1.
 constexpr double STEEP = 100.0;
@@ -198,6 +205,22 @@ void TileRasterizer::DrawTetrahedron(std::uint32_t tetrahedron)
   {
     return;
   }
+  const SilhouetteRows rows(shape);
+  const int bottom = rows.GetBegin(this->Bottom);
+  const int top = rows.GetEnd(this->Bottom, this->Height);
+  std::array<Span, SIZE> spans;
+  int pixels = 0;
+  for (int y = bottom; y < top; ++y)
+  {
+    Span& span = spans[y];
+    rows.GetSpan(this->Bottom + y + 0.5, this->Left, this->Width, span.Begin, span.End);
+    pixels += std::max(span.End - span.Begin, 0);
+  }
+  if (pixels == 0)
+  {
+    return;
+  }
+  shape.SetSlopes();
   const bool isParallel = this->Frame.View.IsParallel();
   const auto getValue = [&](auto&& get)
   {
@@ -262,14 +285,11 @@ void TileRasterizer::DrawTetrahedron(std::uint32_t tetrahedron)
   }
 
   const bool isSteep = IsSteep(shape);
-  const SilhouetteRows rows(shape);
-  const int top = rows.GetEnd(this->Bottom, this->Height);
-  for (int y = rows.GetBegin(this->Bottom); y < top; ++y)
+  for (int y = bottom; y < top; ++y)
   {
     const double centre = this->Bottom + y + 0.5;
-    int begin = 0;
-    int end = 0;
-    rows.GetSpan(centre, this->Left, this->Width, begin, end);
+    const int begin = spans[y].Begin;
+    const int end = spans[y].End;
     if (begin >= end)
     {
       continue;

@@ -56,7 +56,8 @@ public:
   };
 
   /**
-   * Sets the corners. Returns false for a tetrahedron seen without area.
+   * Sets the corners: polygon, thick point and faces. Returns false for a tetrahedron seen without
+   * area.
    */
   bool Set(const Projected& p0, const Projected& p1, const Projected& p2, const Projected& p3)
   {
@@ -88,6 +89,30 @@ public:
     return true;
   }
 
+  /**
+   * Sets edges, crease and what values need, after Set(): a tetrahedron between the pixels' centres
+   * needs none of them.
+   */
+  void SetSlopes()
+  {
+    this->InverseSum = 1.0 / this->Sum;
+    const Projected& p = this->GetPoint(0);
+    const Projected& q = this->GetPoint(1);
+    const Projected& r = this->GetPoint(2);
+    const double area = this->Area(this->Polygon[0], this->Polygon[1], this->Polygon[2]);
+    const double inverse = 1.0 / area;
+    this->First = { (r.Y - p.Y) * inverse, (p.X - r.X) * inverse };
+    this->Second = { (p.Y - q.Y) * inverse, (q.X - p.X) * inverse };
+    if (this->Size == 3)
+    {
+      this->SetInnerEdges(area);
+    }
+    else
+    {
+      this->SetCrossingEdges();
+    }
+  }
+
   /// Returns the number of corners and edges; edge i joins corners i and i + 1.
   int GetNumberOfEdges() const { return this->Size; }
   const Projected& GetPoint(int i) const { return *this->Points[this->Polygon[i]]; }
@@ -108,7 +133,7 @@ public:
     {
       difference += this->Areas[k] * v[k];
     }
-    value.Difference = this->Sign * difference / this->Sum;
+    value.Difference = this->Sign * difference * this->InverseSum;
     const int a = this->Polygon[0];
     const int b = this->Polygon[1];
     const int c = this->Polygon[2];
@@ -116,12 +141,12 @@ public:
     if (this->Size == 3)
     {
       value.At = v[this->Inner] - value.Difference;
-      value.Base = this->GetSlope(v, a, b, c);
+      value.Base = this->GetSlope(v[b] - v[a], v[c] - v[a]);
       return value;
     }
     const int d = this->Polygon[3];
     value.At = v[a] + this->ThickShare * (v[c] - v[a]);
-    value.Base = this->GetSlope(v, a, b, c);
+    value.Base = this->GetSlope(v[b] - v[a], v[c] - v[a]);
     if (this->HasBend)
     {
       // h is 1 at the corner across.
@@ -164,8 +189,6 @@ private:
   void SetInner(bool innerIsPositive)
   {
     this->Size = 3;
-    this->Edges[3] = { 0.0, 0.0 };
-    this->Crease = { 0.0, 0.0 };
     this->Inner = 0;
     for (int k = 1; k < 4; ++k)
     {
@@ -186,13 +209,18 @@ private:
     }
     this->ThickX = this->Points[this->Inner]->X;
     this->ThickY = this->Points[this->Inner]->Y;
+  }
+
+  void SetInnerEdges(double area)
+  {
     for (int i = 0; i < 3; ++i)
     {
       const int a = this->Polygon[i];
       const int b = this->Polygon[(i + 1) % 3];
-      const int c = this->Polygon[(i + 2) % 3];
-      this->SetEdge(i, this->Area(a, b, this->Inner), this->Area(a, b, c));
+      this->SetEdge(i, this->Area(a, b, this->Inner), area);
     }
+    this->Edges[3] = { 0.0, 0.0 };
+    this->Crease = { 0.0, 0.0 };
   }
 
   // Sets two crossing edges: the positive corners are 0 and 2 of the polygon.
@@ -220,13 +248,19 @@ private:
       this->Points[a]->X + this->ThickShare * (this->Points[c]->X - this->Points[a]->X);
     this->ThickY =
       this->Points[a]->Y + this->ThickShare * (this->Points[c]->Y - this->Points[a]->Y);
+  }
+
+  void SetCrossingEdges()
+  {
+    const int a = this->Polygon[0];
+    const int c = this->Polygon[2];
     for (int i = 0; i < 4; ++i)
     {
       const int from = this->Polygon[i];
       const int to = this->Polygon[(i + 1) % 4];
       // The positive corner that this edge has not.
       const int across = this->Polygon[i == 0 || i == 3 ? 2 : 0];
-      const double share = this->Areas[across] / this->Sum;
+      const double share = this->Areas[across] * this->InverseSum;
       const double area = this->Area(from, to, across);
       this->SetEdge(i, share * area, area);
     }
@@ -235,10 +269,10 @@ private:
     this->Crease = { 0.0, 0.0 };
     if (this->HasBend)
     {
-      const double across = this->Area(a, c, this->Polygon[3]);
+      const double inverse = 1.0 / this->Area(a, c, this->Polygon[3]);
       const Projected& p = *this->Points[a];
       const Projected& q = *this->Points[c];
-      this->Crease = { (p.Y - q.Y) / across, (q.X - p.X) / across };
+      this->Crease = { (p.Y - q.Y) * inverse, (q.X - p.X) * inverse };
     }
   }
 
@@ -252,22 +286,25 @@ private:
     }
     const Projected& a = this->GetPoint(i);
     const Projected& b = this->GetPoint((i + 1) % this->Size);
-    this->Edges[i] = { (a.Y - b.Y) / atThick, (b.X - a.X) / atThick };
+    const double inverse = 1.0 / atThick;
+    this->Edges[i] = { (a.Y - b.Y) * inverse, (b.X - a.X) * inverse };
   }
 
-  Slope GetSlope(const std::array<double, 4>& v, int a, int b, int c) const
+  // Returns the slope of a value by how much it rises along the first triangle's sides from corner
+  // 0.
+  Slope GetSlope(double toFirst, double toSecond) const
   {
-    const Projected& p = *this->Points[a];
-    const Projected& q = *this->Points[b];
-    const Projected& r = *this->Points[c];
-    const double area = this->Area(a, b, c);
-    return { ((v[b] - v[a]) * (r.Y - p.Y) - (v[c] - v[a]) * (q.Y - p.Y)) / area,
-      ((v[c] - v[a]) * (q.X - p.X) - (v[b] - v[a]) * (r.X - p.X)) / area };
+    return { toFirst * this->First.X + toSecond * this->Second.X,
+      toFirst * this->First.Y + toSecond * this->Second.Y };
   }
 
   std::array<const Projected*, 4> Points;
   std::array<double, 4> Areas;
   double Sum = 0.0;
+  double InverseSum = 0.0;
+  // The slopes of the functions that are 1 at corner 1 or 2 of the first triangle, 0 at the others.
+  Slope First;
+  Slope Second;
   double Sign = 1.0;
   int Size = 0;
   int Inner = 0;
