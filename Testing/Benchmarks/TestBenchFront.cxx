@@ -50,6 +50,12 @@ void CheckFront()
   {
     Expect(front[i].Name == names[i], "point " + front[i].Name + " of the front");
   }
+  BenchPlot plot = MakePlot();
+  plot.AddPoint("exact", false, 0.5, 1e-6);
+  Expect(FindFront(plot).size() == 1, "what is best in both is the front");
+  plot.SetNoChoice("exact");
+  plot.SetNoChoice("nothing");
+  Expect(FindFront(plot).size() == 4, "what nobody can choose is in no front");
   Expect(FindFront(BenchPlot()).empty(), "a front of nothing");
 }
 

@@ -206,8 +206,9 @@ BenchPlot& FindPlot(const BenchRow& row, bool isBoundary, std::vector<BenchPlot>
   plots.back().Question = std::string("How fine are samples to be for the ") +
     (isBoundary ? "boundary" : "volume") + " of the stream volume " + row.Case + "?";
   plots.back().Conditions =
-    "Implicit by samples along an edge, cells refined or not, once and again on a field that is "
-    "there; explicit, the peer, by rings of streamlines, halved where they part or not. Ringed: "
+    "Implicit by samples along an edge, cells refined or not, and again on a field that is there, "
+    "which is no choice for the first time; explicit, the peer, by rings of streamlines, halved "
+    "where they part or not. Ringed: "
     "the "
     "finest samples without refinement.";
   return plots.back();
@@ -256,6 +257,7 @@ std::vector<BenchPlot> MakeExplicitPlots(const std::vector<BenchRow>& rows)
         const double error = isBoundary ? row.Counts[BoundaryCount].get<double>() : *row.Error;
         BenchPlot& plot = FindPlot(row, isBoundary, plots);
         plot.AddPoint(row.Method, isPeer, *row.Seconds, error, row.GetParameterText());
+        plot.SetNoChoice(Again);
         plot.SetDefault(Implicit);
       }
     }

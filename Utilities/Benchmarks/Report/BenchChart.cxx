@@ -204,12 +204,16 @@ void AddLine(vtkChartXY* chart, const BenchPlot::Series& series, const Look& loo
   auto line = vtkPlotLine::SafeDownCast(chart->AddPlot(vtkChart::LINE));
   line->SetInputData(table, 0, 1);
   SetColour(line, look);
-  line->GetPen()->SetLineType(series.IsPeer ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);
+  line->GetPen()->SetLineType(!series.IsChoice ? vtkPen::DASH_DOT_LINE
+      : series.IsPeer                          ? vtkPen::DASH_LINE
+                                               : vtkPen::SOLID_LINE);
   line->SetWidth(series.IsPeer ? 2.5f : 3.0f);
   line->SetMarkerStyle(look.Marker);
   const bool isThin = look.Marker == vtkPlotPoints::CROSS || look.Marker == vtkPlotPoints::PLUS;
   line->SetMarkerSize(isThin ? 17.0f : 12.0f);
-  line->SetLabel(series.IsPeer ? series.Label + " (peer)" : series.Label);
+  line->SetLabel(!series.IsChoice ? series.Label + " (no choice)"
+      : series.IsPeer             ? series.Label + " (peer)"
+                                  : series.Label);
 }
 
 void AddReference(vtkChartXY* chart, double height, double first, double last)

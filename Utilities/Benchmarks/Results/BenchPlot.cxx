@@ -33,11 +33,20 @@ void BenchPlot::AddPoint(
   auto found = Find(this->AllSeries, label);
   if (found == this->AllSeries.end())
   {
-    found = this->AllSeries.insert(found, Series{ label, isPeer, {}, {}, {} });
+    found = this->AllSeries.insert(found, Series{ label, isPeer, true, {}, {}, {} });
   }
   found->X.push_back(x);
   found->Y.push_back(y);
   found->Names.push_back(name);
+}
+
+void BenchPlot::SetNoChoice(const std::string& label)
+{
+  const auto series = Find(this->AllSeries, label);
+  if (series != this->AllSeries.end())
+  {
+    series->IsChoice = false;
+  }
 }
 
 void BenchPlot::SetDefault(const std::string& label, const std::string& name)
@@ -52,8 +61,8 @@ void BenchPlot::SetDefault(const std::string& label, const std::string& name)
   {
     if (name.empty() || series->Names[i] == name)
     {
-      this->DefaultPoint = { label, series->IsPeer, { series->X[i] }, { series->Y[i] },
-        { series->Names[i] } };
+      this->DefaultPoint = { label, series->IsPeer, series->IsChoice, { series->X[i] },
+        { series->Y[i] }, { series->Names[i] } };
     }
   }
 }

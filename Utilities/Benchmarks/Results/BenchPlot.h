@@ -15,6 +15,9 @@ struct BenchPlot
     std::string Label;
     /// Peers are drawn dashed, and as hatched bars.
     bool IsPeer = false;
+    /// Whether it can be chosen for what the plot asks; else it is there for comparison, and in no
+    /// front.
+    bool IsChoice = true;
     std::vector<double> X;
     std::vector<double> Y;
     /// What is written beside each point, such as its setting; empty for nothing.
@@ -61,6 +64,9 @@ struct BenchPlot
   /// Adds a point to the series \a label, which is made where it is missing.
   void AddPoint(const std::string& label, bool isPeer, double x, double y,
     const std::string& name = std::string());
+
+  /// Says that the series \a label, where it is, cannot be chosen.
+  void SetNoChoice(const std::string& label);
 
   /// Rings the last point of the series \a label, or its point of that name; none where there is no
   /// such point.

@@ -42,7 +42,7 @@ std::vector<ErrorPoint> FindFront(const BenchPlot& plot)
   std::vector<ErrorPoint> all;
   for (const BenchPlot::Series& series : plot.AllSeries)
   {
-    for (std::size_t i = 0; i < series.X.size(); ++i)
+    for (std::size_t i = 0; series.IsChoice && i < series.X.size(); ++i)
     {
       all.push_back(PointOf(series, i));
     }

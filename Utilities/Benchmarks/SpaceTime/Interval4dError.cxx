@@ -304,7 +304,8 @@ std::vector<BenchPlot> MakeErrorPlots(const std::vector<BenchRow>& rows)
     plot.Question =
       std::string("Is a slice of 4-simplices worth its time between two steps (") + field + ")?";
     plot.Conditions = "The region midway between time steps: slices, interpolated values and, for "
-                      "the error that is left, values sampled then; by the time from step to step. "
+                      "the error that is left and as no choice, since nobody has them, values "
+                      "sampled then; by the time from step to step. "
                       "Ringed: slices at the shortest step.";
     for (const BenchRow& row : rows)
     {
@@ -317,6 +318,7 @@ std::vector<BenchPlot> MakeErrorPlots(const std::vector<BenchRow>& rows)
         }
       }
     }
+    plot.SetNoChoice(Sampled);
     plot.SetDefault(Slice);
     if (!plot.AllSeries.empty())
     {
