@@ -5,6 +5,7 @@
 #include "Common/NamedValue.h"
 #include "Fields/FieldVectors.h"
 #include "Numerics/RealEigenvalues.h"
+#include "Samples/OutputPiece.h"
 #include "Topology/ZeroSearch.h"
 
 #include "vtkCellArray.h"
@@ -113,6 +114,12 @@ int vtkFlowCriticalPoints::RequestData(
   this->Report = vtkFlowCriticalPointsReport();
   if (!input || input->GetNumberOfCells() == 0)
   {
+    // Nothing at all is no error, and one piece of several may well have points alone.
+    if (input && input->GetNumberOfPoints() > 0 &&
+      interlume::OutputPiece::IsWhole(outputs->GetInformationObject(0)))
+    {
+      vtkErrorMacro("The input has no cells, in which velocities are interpolated.");
+    }
     return 1;
   }
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;

@@ -31,8 +31,9 @@
  *
  * Warnings (vtkWarningMacro): no critical point, with how many cells have zeros that are none.
  *
- * Errors (vtkErrorMacro, empty output): no vectors of that name, or not of three components; cells
- * of other types, two-dimensional grids among them.
+ * Errors (vtkErrorMacro, empty output): points without cells, unless in one piece of several; no
+ * vectors of that name, or not of three components; cells of other types, two-dimensional grids
+ * among them.
  */
 class INTERLUMEFLOW_EXPORT vtkFlowCriticalPoints : public vtkPolyDataAlgorithm
 {

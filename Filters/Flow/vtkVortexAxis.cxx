@@ -4,6 +4,7 @@
 #include "Common/AbortCheck.h"
 #include "Common/NamedValue.h"
 #include "Fields/FieldVectors.h"
+#include "Samples/OutputPiece.h"
 #include "Termination/CrossFlow.h"
 
 #include "vtkCellArray.h"
@@ -207,6 +208,12 @@ int vtkVortexAxis::RequestData(
   this->Report = vtkVortexAxisReport();
   if (!input || input->GetNumberOfCells() == 0)
   {
+    // Nothing at all is no error, and one piece of several may well have points alone.
+    if (input && input->GetNumberOfPoints() > 0 &&
+      interlume::OutputPiece::IsWhole(outputs->GetInformationObject(0)))
+    {
+      vtkErrorMacro("The input has no cells, in which velocities are interpolated.");
+    }
     return 1;
   }
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;

@@ -78,7 +78,7 @@ void TestScales(StabilityCatalogue& catalogue)
   plain->Update();
   for (const double size : { 0x1p-300, 0x1p-40, 0x1p40, 0x1p300 })
   {
-    for (const double speed : { 0x1p-400, 0x1p-40, 0x1p40, 0x1p400 })
+    for (const double speed : { 0x1p-600, 0x1p-400, 0x1p-40, 0x1p40, 0x1p400, 0x1p600 })
     {
       vtkNew<vtkFlowLIC> scaled;
       scaled->SetInputData(MakeImage(&Turn, size, speed));

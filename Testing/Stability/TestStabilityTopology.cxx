@@ -11,6 +11,7 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVortexAxis.h"
 
@@ -35,6 +36,17 @@ vtkSmartPointer<vtkImageData> MakeCube(int cells, double size = 1.0, double midd
   return image;
 }
 
+/// A point without a cell.
+vtkSmartPointer<vtkUnstructuredGrid> MakeBarePoint()
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(points);
+  SetVelocity(grid, [](const FlowVector&) { return FlowVector{ { 1.0, 0.0, 0.0 } }; });
+  return grid;
+}
+
 /// How far the one critical point is from where it should be; NaN where there is not one.
 double ErrorOfPoint(vtkDataSet* data, const FlowMatrix& matrix, const FlowVector& center)
 {
@@ -45,10 +57,14 @@ double ErrorOfPoint(vtkDataSet* data, const FlowMatrix& matrix, const FlowVector
 
 void TestPointScales(StabilityCatalogue& catalogue)
 {
-  for (const double length : { 1e-100, 1e-12, 1.0, 1e12, 1e100 })
+  for (const double length : { 1e-150, 1e-100, 1e-12, 1.0, 1e12, 1e100, 1e150 })
   {
     for (const double speed : { 1e-200, 1e-12, 1e12, 1e200 })
     {
+      if (!std::isnormal(speed / length))
+      {
+        continue;
+      }
       FlowMatrix matrix = GenericMatrix;
       for (double& entry : matrix)
       {
@@ -123,6 +139,9 @@ void TestPointCells(StabilityCatalogue& catalogue)
   filter->SetInputData(flat);
   ReportRefused(catalogue, filter, "two-dimensions", "an image of two dimensions", "three",
     [&]() { filter->SetInputData(corner); });
+  filter->SetInputData(MakeBarePoint());
+  ReportRefused(catalogue, filter, "no-cells", "a point without cells", "no cells",
+    [&]() { filter->SetInputData(corner); });
 }
 
 /// A vortex about x = y = 0.3 that turns at the speed.
@@ -154,9 +173,9 @@ double ErrorOfAxis(vtkVortexAxis* filter, double size, vtkIdType places)
 void TestAxes(StabilityCatalogue& catalogue)
 {
   catalogue.SetClass("vtkVortexAxis");
-  for (const double size : { 1e-100, 1e-12, 1.0, 1e12, 1e100 })
+  for (const double size : { 1e-150, 1e-100, 1e-12, 1.0, 1e12, 1e100, 1e150 })
   {
-    for (const double speed : { 1e-100, 1e-12, 1e12, 1e100 })
+    for (const double speed : { 1e-150, 1e-100, 1e-12, 1e12, 1e100, 1e150 })
     {
       auto image = MakeCube(6, size);
       SetVelocity(image, MakeVortex(size, speed));
@@ -193,6 +212,9 @@ void TestAxes(StabilityCatalogue& catalogue)
   ReportRefused(catalogue, filter, "axis-0", "an axis of (0, 0, 0)", "xis", mend);
   filter->SetAxis(0.0, NaN, 1.0);
   ReportRefused(catalogue, filter, "axis-nan", "an axis with NaN", "finite", mend);
+  filter->SetInputData(MakeBarePoint());
+  ReportRefused(catalogue, filter, "no-cells", "a point without cells", "no cells",
+    [&]() { filter->SetInputData(image); });
   filter->SetFrameVelocity(NaN, 0.0, 0.0);
   ReportRefused(catalogue, filter, "frame-nan", "a velocity of the frame with NaN", "finite", mend);
   filter->SetFrameVelocity(1e300, 0.0, 0.0);

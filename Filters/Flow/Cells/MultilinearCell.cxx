@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/MultilinearCell.h"
 
+#include "Common/Vectors.h"
+
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -252,6 +254,12 @@ bool MultilinearCell::GetGradient(const double p[3], double gradient[9]) const
   Derive(this->Vectors, isApex ? middle : p, byParameters);
   Derive(this->Positions, isApex ? middle : p, positions);
   // Rows: dv[i]/dp = (dx/dp)^T dv[i]/dx, by the vectors that are dual to dx/dp.
+  // The cell is first brought to a size of about 1, since its volume may be no number.
+  const double scale = GetScale(this->GetDiagonal());
+  for (double& component : positions)
+  {
+    component *= scale;
+  }
   const double columns[3][3] = { { positions[0], positions[3], positions[6] },
     { positions[1], positions[4], positions[7] }, { positions[2], positions[5], positions[8] } };
   double dual[3][3];
@@ -274,19 +282,37 @@ bool MultilinearCell::GetGradient(const double p[3], double gradient[9]) const
       gradient[3 * i + k] =
         (byParameters[3 * i] * dual[0][k] + byParameters[3 * i + 1] * dual[1][k] +
           byParameters[3 * i + 2] * dual[2][k]) /
-        determinant;
+        determinant * scale;
     }
   }
   return true;
 }
 
-double MultilinearCell::GetVolume() const
+double MultilinearCell::GetScale(double length)
 {
-  const auto getDeterminant = [this](double r, double s, double t)
+  // The inverse of each of these powers of 2 is a number too.
+  return length > 0.0 && std::isfinite(length)
+    ? std::ldexp(1.0, -std::clamp(std::ilogb(length), -1000, 1000))
+    : 1.0;
+}
+
+double MultilinearCell::GetLength() const
+{
+  const double scale = GetScale(this->GetDiagonal());
+  return std::cbrt(this->GetVolume(scale)) / scale;
+}
+
+double MultilinearCell::GetVolume(double scale) const
+{
+  const auto getDeterminant = [this, scale](double r, double s, double t)
   {
     const double p[3] = { r, s, t };
     double d[9];
     Derive(this->Positions, p, d);
+    for (double& component : d)
+    {
+      component *= scale;
+    }
     return vtkMath::Determinant3x3(d[0], d[1], d[2], d[3], d[4], d[5], d[6], d[7], d[8]);
   };
   // The rule is exact: the determinant is of degree 2 in each parameter, on wedges of degree 1 in
@@ -321,7 +347,7 @@ double MultilinearCell::GetDiagonal() const
 {
   const int* corners = nullptr;
   const int number = GetCorners(this->Shape, corners);
-  double square = 0.0;
+  glm::dvec3 sides;
   for (int i = 0; i < 3; ++i)
   {
     double lower = this->Positions[0][i];
@@ -331,9 +357,9 @@ double MultilinearCell::GetDiagonal() const
       lower = std::min(lower, this->Positions[corners[c]][i]);
       upper = std::max(upper, this->Positions[corners[c]][i]);
     }
-    square += (upper - lower) * (upper - lower);
+    sides[i] = upper - lower;
   }
-  return std::sqrt(square);
+  return Vectors::SafeLength(sides);
 }
 
 }

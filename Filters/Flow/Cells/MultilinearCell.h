@@ -71,10 +71,20 @@ public:
   /// Computes dv[i]/dx[j] at [3 i + j]. Returns false, and gives 0, where the cell is flat.
   bool GetGradient(const double p[3], double gradient[9]) const;
 
-  double GetVolume() const;
+  /**
+   * Returns the volume of the cell enlarged by \a scale, by which the volumes of very large and
+   * very small cells are numbers.
+   */
+  double GetVolume(double scale = 1.0) const;
+
+  /// Returns the cube root of the volume, of cells of any size.
+  double GetLength() const;
 
   /// Returns the length of the diagonal of the cell's bounds.
   double GetDiagonal() const;
+
+  /// Returns a power of 2 by which a length becomes about 1.
+  static double GetScale(double length);
 
 private:
   Shapes Shape = NONE;

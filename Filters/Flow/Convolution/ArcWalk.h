@@ -2,10 +2,13 @@
 #ifndef interlume_ArcWalk_h
 #define interlume_ArcWalk_h
 
+#include "Common/Vectors.h"
+
 #include "vtkMath.h"
 #include "vtkType.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace interlume
 {
@@ -105,7 +108,17 @@ private:
     double rate[3];
     this->Field.GetVelocity(p, rate);
     this->Field.GetWorldVector(p, rate, direction);
-    return vtkMath::Normalize(direction) > this->MinimumSpeed;
+    // Speeds of any size: their squares may overflow or underflow.
+    const double speed = Vectors::SafeLength(glm::make_vec3(direction));
+    if (!(speed > this->MinimumSpeed && std::isfinite(speed)))
+    {
+      return false;
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      direction[i] /= speed;
+    }
+    return true;
   }
 
   Walker Field;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Termination/CrossFlow.h"
 
+#include "Common/Vectors.h"
+
 #include "vtkDataSet.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
@@ -111,7 +113,7 @@ bool CrossFlow::PlaceByLayers(vtkDataSet* data, int& number)
     double way[3];
     data->GetPoint((dimensions[axis] - 1) * strides[axis], way);
     vtkMath::Subtract(way, origin, way);
-    const double length = vtkMath::Norm(way);
+    const double length = Vectors::SafeLength(glm::make_vec3(way));
     cosines[axis] = length > 0.0 ? std::abs(this->GetHeight(way)) / length : 0.0;
     nearest = cosines[axis] > cosines[nearest] ? axis : nearest;
   }

@@ -40,12 +40,13 @@ struct Cell
   double Speed = 0.0;
 };
 
-Cell Measure(const MultilinearCell& loaded, bool isReversed)
+/// Measures a cell, its flow in units of which the field's size, times \a scale, is about 1.
+Cell Measure(const MultilinearCell& loaded, double scale, bool isReversed)
 {
   Cell cell;
   const int* corners = nullptr;
   const int number = MultilinearCell::GetCorners(loaded.GetShape(), corners);
-  const double volume = std::abs(loaded.GetVolume());
+  const double volume = std::abs(loaded.GetVolume(scale));
   for (int i = 0; i < number; ++i)
   {
     const auto& v = loaded.GetVectors()[corners[i]];
@@ -65,7 +66,7 @@ Cell Measure(const MultilinearCell& loaded, bool isReversed)
     }
     cell.Low[axis] = low;
     cell.High[axis] = high;
-    const double flow = high > low ? velocity * volume / (high - low) : 0.0;
+    const double flow = high > low ? velocity * volume / ((high - low) * scale) : 0.0;
     cell.Flow[axis] = isReversed ? -flow : flow;
   }
   return cell;
@@ -79,6 +80,15 @@ vtkIdType Pick(vtkIdType group, vtkIdType stride, vtkIdType cells)
   return std::min(group * stride + offset, cells - 1);
 }
 
+/// The power of 2 by which the longest side of a field is about 1.
+double GetScaleOf(vtkDataSet* field)
+{
+  double bounds[6];
+  field->GetBounds(bounds);
+  return MultilinearCell::GetScale(
+    std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] }));
+}
+
 std::vector<Cell> ReadCells(vtkDataSet* field, vtkDataArray* vectors, bool isReversed)
 {
   std::vector<Cell> cells;
@@ -87,6 +97,7 @@ std::vector<Cell> ReadCells(vtkDataSet* field, vtkDataArray* vectors, bool isRev
   blanking.SetBlanking(field);
   const vtkIdType number = field->GetNumberOfCells();
   const vtkIdType stride = std::max<vtkIdType>(1, (number + MostCells - 1) / MostCells);
+  const double scale = GetScaleOf(field);
   MultilinearCell loaded;
   vtkNew<vtkIdList> ids;
   for (vtkIdType group = 0; group * stride < number; ++group)
@@ -100,7 +111,7 @@ std::vector<Cell> ReadCells(vtkDataSet* field, vtkDataArray* vectors, bool isRev
     loaded.Load(field, vectors, id, ids);
     if (loaded.IsFinite())
     {
-      cells.push_back(Measure(loaded, isReversed));
+      cells.push_back(Measure(loaded, scale, isReversed));
       speeds.Add(cells.back().Speed);
     }
   }
@@ -130,6 +141,7 @@ public:
       this->High = std::max(this->High, cell.High[axis]);
     }
     const double width = (this->High - this->Low) / NumberOfSlabs;
+    const double scale = MultilinearCell::GetScale(width);
     for (const Cell& cell : cells)
     {
       std::array<double, NumberOfSlabs>& flows = this->Flows[cell.Flow[axis] > 0.0 ? 0 : 1];
@@ -137,7 +149,8 @@ public:
       {
         const double begin = std::max(cell.Low[axis], this->Low + slab * width);
         const double end = std::min(cell.High[axis], this->Low + (slab + 1) * width);
-        flows[slab] += std::abs(cell.Flow[axis]) * std::max(end - begin, 0.0) / width;
+        flows[slab] +=
+          std::abs(cell.Flow[axis]) * (std::max(end - begin, 0.0) * scale) / (width * scale);
       }
     }
   }

@@ -3,6 +3,7 @@
 
 #include "Common/Batches.h"
 #include "Common/Blanking.h"
+#include "Common/Vectors.h"
 #include "Topology/CellZeros.h"
 
 #include "vtkAlgorithm.h"
@@ -10,7 +11,6 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkIdList.h"
-#include "vtkMath.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPThreadLocalObject.h"
 #include "vtkSMPTools.h"
@@ -136,7 +136,7 @@ private:
     MultilinearCell::Interpolate(cell.GetPositions(), p, zero.Position);
     MultilinearCell::Interpolate(cell.GetVectors(), p, zero.Velocity);
     zero.IsDegenerate = !cell.GetGradient(p, zero.Gradient) || found.IsDegenerate;
-    zero.CellLength = std::cbrt(cell.GetVolume());
+    zero.CellLength = cell.GetLength();
     const double largest = std::max(
       { std::abs(zero.Position[0]), std::abs(zero.Position[1]), std::abs(zero.Position[2]) });
     zero.Tolerance =
@@ -180,7 +180,7 @@ void ZeroSearch::Merge(const std::vector<unsigned char>& marks)
       const auto isSame = [&](std::size_t i)
       {
         const double reach = std::max(zero.Tolerance, merged[i].Tolerance);
-        return vtkMath::Distance2BetweenPoints(merged[i].Position, zero.Position) <= reach * reach;
+        return Vectors::SafeLength(Vectors::Difference(merged[i].Position, zero.Position)) <= reach;
       };
       const auto around = known.find({ zero.System, zero.Points[0] });
       if (around != known.end() &&
