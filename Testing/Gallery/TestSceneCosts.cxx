@@ -113,8 +113,12 @@ int main(int argc, char* argv[])
         std::cerr << "no scene " << argv[i] << "\n";
         return EXIT_FAILURE;
       }
-      checker.Check(gallery::MeasureSceneCosts(
-        *scene, WIDTH, HEIGHT, 0, end == std::string::npos ? "" : argument.substr(end + 1)));
+      gallery::CostSettings settings;
+      settings.Width = WIDTH;
+      settings.Height = HEIGHT;
+      settings.Pairs = 0;
+      settings.OnlyClass = end == std::string::npos ? "" : argument.substr(end + 1);
+      checker.Check(gallery::MeasureSceneCosts(*scene, settings));
     }
     checker.CheckAll();
     return checker.HasPassed() ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -40,6 +40,7 @@ struct Arguments
   bool Report = false;
   std::string Out;
   std::string From;
+  std::string Costs;
   std::string Stability = INTERLUME_STABILITY_FOLDER;
 };
 
@@ -68,6 +69,9 @@ void Define(CLI::App& app, Arguments& arguments, const std::vector<std::string>&
     ->check(CLI::ExistingFile);
   report->add_option("--stability", arguments.Stability, "Folder of the stability cases")
     ->capture_default_str();
+  report
+    ->add_option("--costs", arguments.Costs, "What interlume-bench-costs wrote, for its section")
+    ->check(CLI::ExistingFile);
   report->callback([&arguments]() { arguments.Report = true; });
 }
 
@@ -119,6 +123,10 @@ void WriteReport(const Suites& suites, const Arguments& arguments)
   {
     const auto plots = drawer.Draw(suite->MakePlots(results.RowsOf(suite->GetName())));
     page.AddSuite(*suite, plots);
+  }
+  if (!arguments.Costs.empty())
+  {
+    page.AddCosts(BenchResults::Read(arguments.Costs));
   }
   page.AddCatalogue(cases);
   const std::string path = (folder / "index.html").string();

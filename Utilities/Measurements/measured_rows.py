@@ -49,10 +49,16 @@ class Run:
             return f"† transcribed; VTK {self.version}, {conditions['text']}"
         load = f", load {conditions['load']} before" if "load" in conditions else ""
         devices = sorted({row["counts"]["device"] for row in self.rows if "device" in row.get("counts", {})})
-        return (f"VTK {self.version}, `interlume-bench {self.command()}`, {conditions['date']}, "
+        return (f"VTK {self.version}, `{self.whole_command()}`, {conditions['date']}, "
                 + ", ".join([self.machine_text(), *devices]) + f"{load}; {self.runs_text()}")
 
+    def whole_command(self):
+        return self.command() if "command" in self.conditions else f"interlume-bench {self.command()}"
+
     def command(self):
+        """What interlume-bench was asked for; of another program the whole of its command."""
+        if "command" in self.conditions:
+            return self.conditions["command"]
         size = self.conditions["size"]
         return f"{self.suite}{'' if size == 'full' else ' --' + size} --threads {self.conditions['threads']}"
 

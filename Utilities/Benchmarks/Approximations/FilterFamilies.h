@@ -14,6 +14,10 @@ Family MakeContourFamily();
 /// vtkTimeVaryingIntervalVolume on hexahedra and on tetrahedra, by points of the grid.
 Family MakeTableRouteFamily();
 
+/// vtkTetrahedralMesher by MaximumVolume and QualityBound, beside vtkDelaunay3D; no rows where it
+/// was not built.
+Family MakeMesherFamily();
+
 /// vtkFlowCriticalPoints by points of the grid, beside vtkVectorFieldTopology.
 Family MakeCriticalPointFamily();
 /// vtkVortexAxis by points of the grid.

@@ -12,7 +12,8 @@ std::unique_ptr<BenchSuite> MakeFilterErrorsSuite()
     "of "
     "VTK; all ways take turns. Errors are those of the result against a formula in double "
     "precision.",
-    std::vector<Family>{ MakeContourFamily(), MakeTableRouteFamily(), MakeCriticalPointFamily(),
-      MakeVortexAxisFamily(), MakeStreamSurfaceFamily(), MakeLicStepFamily(), MakeLicLengthFamily(),
-      MakeSourceSampleFamily(), MakeSourceVoxelFamily() });
+    std::vector<Family>{ MakeContourFamily(), MakeTableRouteFamily(), MakeMesherFamily(),
+      MakeCriticalPointFamily(), MakeVortexAxisFamily(), MakeStreamSurfaceFamily(),
+      MakeLicStepFamily(), MakeLicLengthFamily(), MakeSourceSampleFamily(),
+      MakeSourceVoxelFamily() });
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Report/ReportPage.h"
 
+#include "Benchmarks/Costs/CostRows.h"
+#include "Benchmarks/Report/CostSection.h"
 #include "Benchmarks/Results/BenchMachine.h"
 #include "Pages/HtmlText.h"
 
@@ -32,14 +34,6 @@ td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: 
 .failed { color: #a00; font-weight: 600; }
 summary { cursor: pointer; }
 )";
-
-/// What is read by those who ask for it.
-std::string Folded(const std::string& summary, const std::string& content)
-{
-  return content.empty()
-    ? content
-    : "<details><summary>" + summary + "</summary>\n" + content + "</details>\n";
-}
 }
 
 ReportPage::ReportPage(const BenchResults& results)
@@ -71,7 +65,7 @@ void ReportPage::AddSuite(const BenchSuite& suite, const std::vector<BenchPlot>&
       this->Questions.push_back({ name, plot });
     }
   }
-  text << "</div>\n" << Folded(std::to_string(rows.size()) + " rows", html::TableOf(rows));
+  text << "</div>\n" << html::Folded(std::to_string(rows.size()) + " rows", html::TableOf(rows));
   this->Body += text.str();
   for (const BenchClaim& claim : suite.CheckClaims(rows))
   {
@@ -87,9 +81,19 @@ void ReportPage::AddCatalogue(const std::vector<StabilityCase>& cases)
   const std::vector<StabilityCount> counts = CountByClass(cases);
   text << "<h2 id=\"stability\">stability</h2>\n<p>" << passed << " of " << cases.size()
        << " cases of extreme and stiff input passed.</p>\n"
-       << Folded(std::to_string(counts.size()) + " classes", html::TableOf(counts))
-       << Folded(std::to_string(cases.size()) + " cases", html::TableOf(cases));
+       << html::Folded(std::to_string(counts.size()) + " classes", html::TableOf(counts))
+       << html::Folded(std::to_string(cases.size()) + " cases", html::TableOf(cases));
   this->Body += text.str();
+}
+
+void ReportPage::AddCosts(const BenchResults& costs)
+{
+  this->Body += "<h2 id=\"costs\">What scenes pay</h2>\n" + html::CostsOf(costs);
+  for (const BenchClaim& claim : costs::CheckClaims(costs.RowsOf(costs::Suite)))
+  {
+    this->Claims.push_back({ "costs", claim });
+  }
+  this->HasCosts = true;
 }
 
 void ReportPage::Write(const std::string& path) const
@@ -114,7 +118,8 @@ void ReportPage::Write(const std::string& path) const
       file << "<a href=\"#" << row.Suite << "\">" << html::Escaped(row.Suite) << "</a>";
     }
   }
-  file << "<a href=\"#stability\">stability</a></nav>\n<h2 id=\"claims\">claims</h2>\n"
+  file << (this->HasCosts ? "<a href=\"#costs\">what scenes pay</a>" : "")
+       << "<a href=\"#stability\">stability</a></nav>\n<h2 id=\"claims\">claims</h2>\n"
        << html::TableOf(this->Claims) << "<h2 id=\"questions\">questions</h2>\n"
        << html::FiguresOf(this->Questions) << this->Body << "</body>\n</html>\n";
   if (!file)

@@ -14,8 +14,8 @@
 /**
  * The page of `interlume-bench report`: what was measured on, all claims with those that are not
  * met first, the questions, each with its plot and the sentence that answers it, then a section for
- * each suite with its description and its other plots, its rows folded below, and the stability
- * catalogue, folded too.
+ * each suite with its description and its other plots, its rows folded below, what scenes of the
+ * gallery pay, and the stability catalogue, folded too.
  */
 class ReportPage
 {
@@ -27,6 +27,9 @@ public:
    * beside the page.
    */
   void AddSuite(const BenchSuite& suite, const std::vector<BenchPlot>& plots);
+
+  /// What interlume-bench-costs wrote, with its claims.
+  void AddCosts(const BenchResults& costs);
 
   void AddCatalogue(const std::vector<StabilityCase>& cases);
 
@@ -40,6 +43,7 @@ private:
   std::vector<html::SuiteClaim> Claims;
   std::vector<html::SuitePlot> Questions;
   std::string Body;
+  bool HasCosts = false;
 };
 
 #endif

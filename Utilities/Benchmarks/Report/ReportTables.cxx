@@ -118,6 +118,13 @@ std::string Verdict(bool isGood, const std::string& text)
 
 namespace html
 {
+std::string Folded(const std::string& summary, const std::string& content)
+{
+  return content.empty()
+    ? content
+    : "<details><summary>" + summary + "</summary>\n" + content + "</details>\n";
+}
+
 std::string FiguresOf(const std::vector<SuitePlot>& questions)
 {
   std::ostringstream figures;

@@ -29,6 +29,9 @@ struct SuitePlot
   BenchPlot Plot;
 };
 
+/// What is read by those who ask for it.
+std::string Folded(const std::string& summary, const std::string& content);
+
 /**
  * How many defaults are on their front, then each question with its plot, which links to its
  * picture, the sentence that answers it and the plot's conditions.

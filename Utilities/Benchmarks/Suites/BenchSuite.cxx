@@ -1,27 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Suites/BenchSuite.h"
 
-#include <array>
-#include <cstdio>
+#include "Benchmarks/Suites/ChildProcess.h"
+
 #include <stdexcept>
-
-#ifdef _WIN32
-#define popen _popen
-#define pclose _pclose
-#endif
-
-namespace
-{
-std::string Quoted(const std::string& text)
-{
-  std::string quoted = "'";
-  for (char letter : text)
-  {
-    quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  }
-  return quoted + "'";
-}
-}
 
 std::vector<BenchPlot> BenchSuite::MakePlots(const std::vector<BenchRow>&) const
 {
@@ -41,25 +23,5 @@ nlohmann::ordered_json BenchSuite::RunTask(const std::string& task, const BenchO
 nlohmann::ordered_json BenchSuite::RunChild(
   const std::string& task, const BenchOptions& options) const
 {
-  const std::string command = Quoted(options.Program) + " " + this->GetName() + " --task " +
-    Quoted(task) + " --seed " + std::to_string(options.Seed) + " --threads " +
-    std::to_string(options.Threads) + options.Pick<std::string>("", " --quick", " --tiny");
-  std::FILE* pipe = popen(command.c_str(), "r");
-  if (!pipe)
-  {
-    throw std::runtime_error("cannot start " + command);
-  }
-  std::string output;
-  std::array<char, 4096> buffer;
-  std::size_t length = 0;
-  while ((length = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0)
-  {
-    output.append(buffer.data(), length);
-  }
-  const int status = pclose(pipe);
-  if (status != 0)
-  {
-    throw std::runtime_error("status " + std::to_string(status) + " from " + command);
-  }
-  return nlohmann::ordered_json::parse(output);
+  return RunProgram(options.Program, this->GetName() + " --task " + Quoted(task), options);
 }

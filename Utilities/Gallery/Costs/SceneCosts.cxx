@@ -9,6 +9,7 @@
 #include "Gallery/Stopwatch.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkCellType.h"
 #include "vtkCommand.h"
 #include "vtkImageData.h"
 #include "vtkImplicitFlowVolumeMapper.h"
@@ -19,11 +20,14 @@
 #include "vtkShadowedScenePass.h"
 #include "vtkShadowedSliceMapper.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
 #include "vtkVolumeCollection.h"
 
 #include <algorithm>
+#include <ctime>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <utility>
@@ -32,9 +36,6 @@ namespace gallery
 {
 namespace
 {
-/// Takes one run of a state, and says what it took.
-using Run = std::function<Costs()>;
-
 double Quantile(std::vector<double> values, double share)
 {
   std::sort(values.begin(), values.end());
@@ -42,103 +43,243 @@ double Quantile(std::vector<double> values, double share)
                         : values[static_cast<std::size_t>(share * (values.size() - 1.0) + 0.5)];
 }
 
-/// Runs of one state: what it takes, with the median of times, and each time.
-struct State
+double GetSpread(const std::vector<double>& values)
 {
-  Costs Taken;
-  std::vector<double> Seconds;
-};
-State Repeat(const Run& run, int runs)
+  return Quantile(values, 0.75) - Quantile(values, 0.25);
+}
+
+/// The processor seconds of all threads since it was made.
+class ProcessorWatch
 {
-  State state;
-  // The first one compiles and uploads, which is in no time.
-  state.Taken = run();
-  for (int i = 0; i < runs; ++i)
+public:
+  double Seconds() const
   {
-    state.Taken = run();
-    state.Seconds.push_back(state.Taken.Seconds);
+    return static_cast<double>(std::clock() - this->Start) / CLOCKS_PER_SEC;
   }
-  state.Taken.Seconds = Quantile(state.Seconds, 0.5);
-  return state;
-}
 
-/// Measures a feature in three states; \a begin makes all of them start alike.
-FeatureCosts Measure(const Feature& feature, vtkObject* object, const Run& run,
-  const std::function<void()>& begin, int runs)
+private:
+  std::clock_t Start = std::clock();
+};
+
+/// An object of a scene that may have features.
+struct Subject
 {
-  FeatureCosts costs;
-  costs.Class = feature.Class;
-  costs.Feature = feature.Name;
-  begin();
-  const State before = Repeat(run, runs);
-  costs.OwnOff = feature.Own(object);
-  const std::function<void()> switchOff = feature.SwitchOn(object);
-  begin();
-  const State on = Repeat(run, runs);
-  costs.OwnOn = feature.Own(object);
-  switchOff();
-  begin();
-  const State after = Repeat(run, runs);
-  costs.OwnAfter = feature.Own(object);
-  costs.Left = Subtract(after.Taken, before.Taken);
-  costs.Added = Subtract(on.Taken, before.Taken);
-  costs.Seconds = before.Taken.Seconds;
-  costs.Spread = Quantile(before.Seconds, 0.75) - Quantile(before.Seconds, 0.25);
-  return costs;
+  vtkObject* Object;
+  /// Takes one run, and says what it took.
+  std::function<Costs()> Run;
+  /// Makes all states start alike.
+  std::function<void()> Begin;
+  /// Of a filter: algorithms that are run with it.
+  std::shared_ptr<std::vector<vtkSmartPointer<vtkAlgorithm>>> Behind;
+};
+
+/// Whether a filter's first output is a grid of cells that have volumes.
+bool MakesTetrahedra(vtkObject* object)
+{
+  auto* filter = vtkAlgorithm::SafeDownCast(object);
+  auto* grid = filter && filter->GetNumberOfOutputPorts() > 0
+    ? vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0))
+    : nullptr;
+  return grid && grid->GetNumberOfCells() > 0 && grid->IsHomogeneous() &&
+    grid->GetCellType(0) == VTK_TETRA;
 }
 
-/// Measures the features of an object that are off and were not measured before.
+/// An optional class as a feature of a subject.
+Feature MakeFeature(const OptionalClass& optional, const Subject& subject)
+{
+  Feature feature;
+  feature.Class = optional.Name;
+  feature.Name = std::string("behind ") + subject.Object->GetClassName();
+  feature.IsOn = [](vtkObject*) { return false; };
+  const auto behind = subject.Behind;
+  feature.Own = [behind](vtkObject*)
+  {
+    ExecutionCosts made;
+    for (vtkAlgorithm* one : *behind)
+    {
+      made.AddOutputs(one);
+    }
+    return static_cast<double>(made.Arrays);
+  };
+  feature.SwitchOn = [behind, make = optional.Make](vtkObject* object)
+  {
+    behind->push_back(make(static_cast<vtkAlgorithm*>(object)->GetOutputPort()));
+    return std::function<void()>([behind]() { behind->clear(); });
+  };
+  return feature;
+}
+
+/// How much longer one subject takes than another, run by run in turn.
+struct Pairs
+{
+  std::vector<double> Differences;
+  /// Of the other.
+  std::vector<double> Seconds;
+
+  /// Adds as many pairs as the settings say.
+  void Add(const Subject& one, const Subject& other, const CostSettings& settings, int most)
+  {
+    const Stopwatch watch;
+    for (int i = 0; i < most && (i < 2 || watch.Seconds() < settings.Limit); ++i)
+    {
+      this->Seconds.push_back(other.Run().Seconds);
+      this->Differences.push_back(one.Run().Seconds - this->Seconds.back());
+    }
+  }
+};
+
+/// Measures the features of objects that are off and were not measured before.
 class Meter
 {
 public:
-  Meter(SceneCosts& costs, int runs, const std::string& onlyClass)
+  Meter(SceneCosts& costs, const CostSettings& settings)
     : Found(costs)
-    , Runs(runs)
-    , OnlyClass(onlyClass)
+    , Settings(settings)
   {
   }
 
-  void Add(vtkObject* object, const Run& run, const std::function<void()>& begin)
+  /// \a never is the same subject of the scene that was built again, without an object where there
+  /// is none.
+  void Add(const Subject& subject, const Subject& never)
   {
+    std::vector<Feature> features;
     for (const Feature& feature : AllFeatures())
     {
-      const bool isAsked = this->OnlyClass.empty() || this->OnlyClass == feature.Class;
-      if (isAsked && feature.Class == object->GetClassName() && !feature.IsOn(object) &&
+      if (feature.Class == subject.Object->GetClassName())
+      {
+        features.push_back(feature);
+      }
+    }
+    for (const OptionalClass& optional : this->Settings.Optional)
+    {
+      if (subject.Behind && this->Found.Executed[optional.Name].Executions == 0 &&
+        this->Behind.count(optional.Name) == 0 && MakesTetrahedra(subject.Object))
+      {
+        this->Behind.insert(optional.Name);
+        features.push_back(MakeFeature(optional, subject));
+      }
+    }
+    // What both differ by without a feature, and how it varies.
+    Pairs without;
+    for (const Feature& feature : features)
+    {
+      const bool isAsked =
+        this->Settings.OnlyClass.empty() || this->Settings.OnlyClass == feature.Class;
+      if (isAsked && !feature.IsOn(subject.Object) &&
         this->Measured.insert({ feature.Class, feature.Name }).second)
       {
-        this->Found.Features.push_back(Measure(feature, object, run, begin, this->Runs));
+        if (never.Object && without.Differences.empty())
+        {
+          never.Begin();
+          subject.Begin();
+          // Caches are filled by pairs that do not count.
+          Pairs().Add(subject, never, this->Settings, 2);
+          without.Add(subject, never, this->Settings, this->Settings.Pairs);
+        }
+        const FeatureCosts measured = this->Measure(feature, subject, never, without);
+        // An optional class may have an input here that it refuses.
+        if (this->Behind.count(feature.Class) == 0 || measured.OwnOn > 0.0)
+        {
+          this->Found.Features.push_back(measured);
+        }
       }
     }
   }
 
 private:
+  FeatureCosts Measure(
+    const Feature& feature, const Subject& subject, const Subject& never, const Pairs& without)
+  {
+    FeatureCosts costs;
+    costs.Class = feature.Class;
+    costs.Feature = feature.Name;
+    Costs taken[3];
+    double* own[3] = { &costs.OwnOff, &costs.OwnOn, &costs.OwnAfter };
+    Pairs pairs[3];
+    std::function<void()> switchOff;
+    for (int state = 0; state < 3; ++state)
+    {
+      if (state == 1)
+      {
+        switchOff = feature.SwitchOn(subject.Object);
+      }
+      else if (state == 2)
+      {
+        switchOff();
+      }
+      subject.Begin();
+      // The first one compiles and uploads, which is in no time.
+      taken[state] = subject.Run();
+      if (never.Object && state > 0)
+      {
+        pairs[state].Add(subject, never, this->Settings, this->Settings.Pairs);
+      }
+      if (state == 2 && IsBeyondNoise(pairs[2], without))
+      {
+        // By chance, or not: more pairs tell.
+        pairs[state].Add(subject, never, this->Settings, 3 * this->Settings.Pairs);
+      }
+      *own[state] = feature.Own(subject.Object);
+    }
+    costs.Left = Subtract(taken[2], taken[0]);
+    costs.Added = Subtract(taken[1], taken[0]);
+    const double usual = Quantile(without.Differences, 0.5);
+    costs.Left.Seconds = Quantile(pairs[2].Differences, 0.5) - usual;
+    costs.Added.Seconds = Quantile(pairs[1].Differences, 0.5) - usual;
+    costs.Seconds = Quantile(pairs[2].Seconds, 0.5);
+    costs.Noise = GetNoise(pairs[2], without);
+    costs.Pairs = static_cast<int>(pairs[2].Differences.size());
+    costs.PairsOn = static_cast<int>(pairs[1].Differences.size());
+    return costs;
+  }
+
+  static double GetNoise(const Pairs& after, const Pairs& without)
+  {
+    return std::max(GetSpread(after.Differences), GetSpread(without.Differences));
+  }
+  static bool IsBeyondNoise(const Pairs& after, const Pairs& without)
+  {
+    return Quantile(after.Differences, 0.5) - Quantile(without.Differences, 0.5) >
+      GetNoise(after, without);
+  }
+
   SceneCosts& Found;
-  int Runs;
-  std::string OnlyClass;
+  const CostSettings& Settings;
   std::set<std::pair<std::string, std::string>> Measured;
+  /// Optional classes that were put behind a filter.
+  std::set<std::string> Behind;
 };
 
-void AddFilter(vtkAlgorithm* filter, Meter& meter)
+Subject MakeSubject(vtkAlgorithm* filter)
 {
-  vtkNew<vtkCallbackCommand> nothing;
-  // A feature may have nothing to do here, which filters say.
-  const unsigned long tag = filter->AddObserver(vtkCommand::WarningEvent, nothing);
-  const Run run = [filter]()
+  const auto behind = std::make_shared<std::vector<vtkSmartPointer<vtkAlgorithm>>>();
+  const auto run = [filter, behind]()
   {
+    vtkNew<vtkCallbackCommand> nothing;
+    // A feature may have nothing to do here, which filters say.
+    const unsigned long tag = filter->AddObserver(vtkCommand::WarningEvent, nothing);
     filter->Modified();
-    const Stopwatch watch;
+    const ProcessorWatch watch;
     filter->Update();
+    for (vtkAlgorithm* one : *behind)
+    {
+      one->Update();
+    }
     Costs taken;
     taken.Seconds = watch.Seconds();
+    filter->RemoveObserver(tag);
     ExecutionCosts made;
     made.AddOutputs(filter);
+    for (vtkAlgorithm* one : *behind)
+    {
+      made.AddOutputs(one);
+    }
     taken.Arrays = made.Arrays;
     taken.Bytes = static_cast<double>(made.Bytes);
-    taken.Passes = 1.0;
+    taken.Passes = 1.0 + static_cast<double>(behind->size());
     return taken;
   };
-  meter.Add(filter, run, []() {});
-  filter->RemoveObserver(tag);
+  return { filter, run, []() {}, behind };
 }
 
 /// The passes that what a renderer draws reports.
@@ -174,52 +315,133 @@ double CountPasses(vtkRenderer* renderer)
   return passes;
 }
 
-void AddPanel(Panel& panel, int width, int height, Meter& meter)
+/// A panel that is drawn, in a window of its own, which Begin of its subjects makes anew.
+class DrawnPanel
 {
-  // The first drawing prepares what the panel is drawn by.
-  panel.Draw(width, height);
-  vtkRenderer* renderer = panel.GetRenderer();
-  vtkSmartPointer<vtkRenderWindow> window;
-  const auto open = [&]()
+public:
+  DrawnPanel(Panel& panel, const CostSettings& settings)
+    : Drawn(panel)
+    , Settings(settings)
   {
-    window = MakeWindow(width, height);
-    window->AddRenderer(renderer);
-  };
-  // A pass compiles what the picture before had before it knows of a change, and OpenGL keeps that.
-  const std::function<void()> begin = [&]()
+    // The first drawing prepares what the panel is drawn by.
+    panel.Draw(settings.Width, settings.Height);
+  }
+  DrawnPanel(const DrawnPanel&) = delete;
+  void operator=(const DrawnPanel&) = delete;
+
+  /// What may have features: the mappers of volumes, and the pass.
+  std::vector<Subject> GetSubjects()
   {
-    open();
-    panel.DrawIn(window);
-    open();
-  };
-  const Run run = [&]()
+    std::vector<Subject> subjects;
+    vtkRenderer* renderer = this->Drawn.GetRenderer();
+    vtkVolumeCollection* volumes = renderer->GetVolumes();
+    for (int i = 0; i < volumes->GetNumberOfItems(); ++i)
+    {
+      subjects.push_back(
+        this->MakeSubject(static_cast<vtkVolume*>(volumes->GetItemAsObject(i))->GetMapper()));
+    }
+    if (renderer->GetPass())
+    {
+      subjects.push_back(this->MakeSubject(renderer->GetPass()));
+    }
+    return subjects;
+  }
+
+private:
+  Subject MakeSubject(vtkObject* object)
   {
-    const Stopwatch watch;
-    panel.DrawIn(window);
+    return { object, [this]() { return this->Run(); },
+      [this]()
+      {
+        // A pass compiles what the picture before had before it knows of a change, and OpenGL keeps
+        // that.
+        this->Open();
+        this->Drawn.DrawIn(this->Window);
+        this->Open();
+      },
+      nullptr };
+  }
+
+  void Open()
+  {
+    this->Window = MakeWindow(this->Settings.Width, this->Settings.Height);
+    this->Window->AddRenderer(this->Drawn.GetRenderer());
+  }
+
+  Costs Run()
+  {
+    const ProcessorWatch watch;
+    this->Drawn.DrawIn(this->Window);
     Costs taken;
     taken.Seconds = watch.Seconds();
-    const ContextCount count = CountContext(window);
+    const ContextCount count = CountContext(this->Window);
     taken.Buffers = count.Buffers;
     taken.Bytes = static_cast<double>(count.Bytes);
     taken.Words = static_cast<double>(count.Words);
-    taken.Passes = CountPasses(renderer);
+    taken.Passes = CountPasses(this->Drawn.GetRenderer());
     return taken;
-  };
-  vtkVolumeCollection* volumes = renderer->GetVolumes();
-  std::vector<vtkSmartPointer<vtkObject>> objects;
-  for (int i = 0; i < volumes->GetNumberOfItems(); ++i)
-  {
-    objects.emplace_back(static_cast<vtkVolume*>(volumes->GetItemAsObject(i))->GetMapper());
   }
-  if (renderer->GetPass())
+
+  Panel& Drawn;
+  const CostSettings& Settings;
+  vtkSmartPointer<vtkRenderWindow> Window;
+};
+
+/// A scene that was built, and what its filters did.
+class BuiltScene
+{
+public:
+  BuiltScene(const Scene& scene, const CostSettings& settings)
+    : Settings(settings)
+    , Place(settings.Width, settings.Height)
   {
-    objects.emplace_back(renderer->GetPass());
+    const ExecutionWatch watch;
+    scene.Build(this->Place);
+    this->Executed = watch.GetClasses();
+    this->Filters = watch.GetAlgorithms();
   }
-  for (vtkObject* object : objects)
+
+  const std::map<std::string, ExecutionCosts>& GetExecuted() const { return this->Executed; }
+
+  std::vector<Subject> GetFilters() const
   {
-    meter.Add(object, run, begin);
+    std::vector<Subject> subjects;
+    std::transform(
+      this->Filters.begin(), this->Filters.end(), std::back_inserter(subjects), &MakeSubject);
+    return subjects;
+  }
+
+  /// Lets go of the filters, which need not be held while panels are drawn.
+  void DropFilters() { this->Filters.clear(); }
+
+  std::size_t GetNumberOfPanels() { return this->Place.FitPanels().size(); }
+  DrawnPanel Draw(std::size_t panel)
+  {
+    return DrawnPanel(*this->Place.FitPanels()[panel], this->Settings);
+  }
+
+private:
+  const CostSettings& Settings;
+  Stage Place;
+  std::map<std::string, ExecutionCosts> Executed;
+  std::vector<vtkSmartPointer<vtkAlgorithm>> Filters;
+};
+
+/// Measures subjects beside those of the scene that was built again, where it was.
+void Add(Meter& meter, const std::vector<Subject>& subjects, const std::vector<Subject>& never)
+{
+  for (std::size_t i = 0; i < subjects.size(); ++i)
+  {
+    const bool isSame = i < never.size() &&
+      std::string(never[i].Object->GetClassName()) == subjects[i].Object->GetClassName();
+    meter.Add(subjects[i], isSame ? never[i] : Subject{ nullptr, {}, {}, nullptr });
   }
 }
+}
+
+bool FeatureCosts::IsWithinNoise() const
+{
+  return this->Left.Seconds <= this->Noise;
 }
 
 Costs Subtract(const Costs& one, const Costs& other)
@@ -228,28 +450,37 @@ Costs Subtract(const Costs& one, const Costs& other)
     one.Words - other.Words, one.Arrays - other.Arrays, one.Seconds - other.Seconds };
 }
 
-SceneCosts MeasureSceneCosts(
-  const Scene& scene, int width, int height, int runs, const std::string& onlyClass)
+SceneCosts MeasureSceneCosts(const Scene& scene, const CostSettings& settings)
 {
   SceneCosts costs;
   costs.Scene = scene.Id;
-  Meter meter(costs, runs, onlyClass);
-  Stage stage(width, height);
-  std::vector<vtkSmartPointer<vtkAlgorithm>> filters;
+  Meter meter(costs, settings);
+  BuiltScene built(scene, settings);
+  costs.Executed = built.GetExecuted();
+  for (const OptionalClass& optional : settings.Optional)
   {
-    const ExecutionWatch watch;
-    scene.Build(stage);
-    costs.Executed = watch.GetClasses();
-    filters = watch.GetAlgorithms();
+    costs.Executed[optional.Name];
   }
-  for (vtkAlgorithm* filter : filters)
+  const auto never = settings.Pairs > 0 ? std::make_unique<BuiltScene>(scene, settings)
+                                        : std::unique_ptr<BuiltScene>();
+  Add(meter, built.GetFilters(), never ? never->GetFilters() : std::vector<Subject>());
+  built.DropFilters();
+  if (never)
   {
-    AddFilter(filter, meter);
+    never->DropFilters();
   }
-  filters.clear();
-  for (const std::unique_ptr<Panel>& panel : stage.FitPanels())
+  for (std::size_t i = 0; i < built.GetNumberOfPanels(); ++i)
   {
-    AddPanel(*panel, width, height, meter);
+    DrawnPanel panel = built.Draw(i);
+    if (never)
+    {
+      DrawnPanel without = never->Draw(i);
+      Add(meter, panel.GetSubjects(), without.GetSubjects());
+    }
+    else
+    {
+      Add(meter, panel.GetSubjects(), {});
+    }
   }
   return costs;
 }

@@ -4,9 +4,12 @@
 
 #include "Gallery/Costs/ExecutionWatch.h"
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
+
+class vtkAlgorithmOutput;
 
 namespace gallery
 {
@@ -24,6 +27,7 @@ struct Costs
   double Bytes = 0.0;
   double Words = 0.0;
   double Arrays = 0.0;
+  /// Processor time of all threads, so that what else the machine does is not in it.
   double Seconds = 0.0;
 };
 /// Returns what \a one is more than \a other.
@@ -41,14 +45,21 @@ struct FeatureCosts
   double OwnOff = 0.0;
   double OwnOn = 0.0;
   double OwnAfter = 0.0;
-  /// What is left of it once it was on, over what there was before; Seconds are those by which the
-  /// median of runs after it is longer than that of runs before.
+  /// What is left of it once it was on, over what there was before it was ever on.
   Costs Left;
   /// What it adds while it is on.
   Costs Added;
-  /// The median seconds of runs before, and the spread of these: the third quartile less the first.
+  /// The median seconds of an object that never had it on.
   double Seconds = 0.0;
-  double Spread = 0.0;
+  /// What seconds differ by without reason: the distance of the quartiles of the pairs'
+  /// differences.
+  double Noise = 0.0;
+  /// Pairs of runs that Left is the median of, and that Added is.
+  int Pairs = 0;
+  int PairsOn = 0;
+
+  /// Whether no more seconds are left than noise.
+  bool IsWithinNoise() const;
 };
 
 struct SceneCosts
@@ -60,15 +71,42 @@ struct SceneCosts
   std::vector<FeatureCosts> Features;
 };
 
+/// A class that scenes may or may not have: a filter of tetrahedra.
+struct OptionalClass
+{
+  std::string Name;
+  /// Makes one of what a filter gives.
+  std::function<vtkSmartPointer<vtkAlgorithm>(vtkAlgorithmOutput* input)> Make;
+};
+
+/// How scenes are measured.
+struct CostSettings
+{
+  /// Pixels of a panel.
+  int Width = 320;
+  int Height = 200;
+  /// Pairs of runs of each state; 0 for no times.
+  int Pairs = 5;
+  /// Seconds after which a state has no more pairs, but two.
+  double Limit = 10.0;
+  /// Only features of this class, where it is given.
+  std::string OnlyClass;
+  /// Beside what the gallery is made of. A scene without such a class has it with no execution in
+  /// Executed, and it is measured as a feature of the first filter that makes tetrahedra there: it
+  /// is put behind that.
+  std::vector<OptionalClass> Optional;
+};
+
 /**
- * Builds a scene, draws its panels with \a width x \a height pixels, and switches every feature
- * that is off on and off again in each object that could have it: one run and \a runs more of each
- * state, of which the median is the time, each in a new window after one drawing in another. Of
- * objects of one class the first without the feature counts. Only features of \a onlyClass where it
- * is given.
+ * Builds a scene, draws its panels, and switches every feature that is off on and off again in each
+ * object that could have it. Of objects of one class the first without the feature counts.
+ *
+ * For times the scene is built twice. Where an object has a feature in the one, the same object of
+ * the other never has any, and both take turns: before the first feature, which says what they
+ * differ by without any, while a feature is on, and after. Panels are drawn in a new window for
+ * each state, after one drawing in another.
  */
-SceneCosts MeasureSceneCosts(
-  const Scene& scene, int width, int height, int runs, const std::string& onlyClass = {});
+SceneCosts MeasureSceneCosts(const Scene& scene, const CostSettings& settings);
 }
 
 #endif
