@@ -15,6 +15,7 @@
 #include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -201,6 +202,9 @@ int vtkIntervalVolume::RequestData(
   {
     interlume::ExtractionArrays::ActivateScalars(scalars->GetName(), cut->GetPointData());
     interlume::ExtractionArrays::ActivateScalars(scalars->GetName(), cutBoundary->GetPointData());
+    // The pipeline has passed field data on to the outputs, which the copies replace.
+    cut->GetFieldData()->ShallowCopy(input->GetFieldData());
+    cutBoundary->GetFieldData()->ShallowCopy(input->GetFieldData());
     output->ShallowCopy(cut);
     boundary->ShallowCopy(cutBoundary);
     this->Report.Passes = passes;

@@ -7,6 +7,8 @@
 #include "Reference/Meshes/ReferenceLattice.h"
 
 #include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkIntervalVolume.h"
 #include "vtkImageData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
@@ -255,6 +257,29 @@ void CheckOddArrays(Check& check)
 
 }
 
+/// Field data goes to both outputs.
+void CheckFieldData(Check& check)
+{
+  auto image = MakeInput(1);
+  AddLinearField(image, { 0.1, { 1.01, 0.7, -0.35 } });
+  vtkNew<vtkIntArray> number;
+  number->SetName("number");
+  number->InsertNextValue(42);
+  image->GetFieldData()->AddArray(number);
+  vtkNew<vtkIntervalVolume> filter;
+  filter->SetInputData(image);
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "f");
+  filter->SetInterval(0, 0.7, 2.1);
+  filter->GenerateBoundariesOn();
+  filter->Update();
+  for (int port = 0; port < 2; ++port)
+  {
+    vtkDataArray* found = filter->GetOutputDataObject(port)->GetFieldData()->GetArray("number");
+    check.That(
+      found && found->GetTuple1(0) == 42.0, "field data of output " + std::to_string(port));
+  }
+}
+
 int TestIntervalVolumeArrays(int, char*[])
 {
   Check check;
@@ -285,6 +310,8 @@ int TestIntervalVolumeArrays(int, char*[])
       "arrays interpolated");
     check.Equal(extraction.Report.ArraysCopied, 2, "arrays copied");
   }
+  check.SetContext("field data");
+  CheckFieldData(check);
   check.SetContext("scalar types");
   CheckScalarTypes(check);
   check.SetContext("cascade");
