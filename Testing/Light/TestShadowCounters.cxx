@@ -17,10 +17,12 @@
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkShadowedSliceMapper.h"
+#include "vtkSoftwareOpenGL.h"
 #include "vtkVolumeProperty.h"
 
 namespace
@@ -199,6 +201,21 @@ void TestBlocks(Check& check)
   check.Equal(some.Blocks, 64, "blocks of 16 cells");
   check.Equal(some.BlocksDrawn, 2, "blocks with something to see");
   check.That(some.SlicesDrawn > 0 && some.SlicesDrawn < some.Slices, "slices between are left out");
+  // A card drops fragments by itself.
+  VolumeStage stage(scene.Size);
+  stage.Render();
+  const bool isSoftware = vtkSoftwareOpenGL::IsUsed(
+    vtkOpenGLRenderWindow::SafeDownCast(stage.GetRenderer()->GetRenderWindow()));
+  const auto isEmptyFirst = [](const Report& report)
+  { return report.Features.find("empty-first") != std::string::npos; };
+  check.That(isEmptyFirst(some) == isSoftware, "little matter: what is empty is drawn first");
+  auto full =
+    MakeScene(MakeImage(20, [](const Double3&) { return 1.0; }), MakeSoftProperty(0.5, true));
+  check.That(!isEmptyFirst(GetReport(full)), "all is matter: no pass over what is empty");
+  scene.Shadows = false;
+  scene.Property->ShadeOff();
+  check.That(!isEmptyFirst(GetReport(scene)), "no light: no pass over what is empty");
+  scene.Shadows = true;
 
   scene.Image->GetPointData()->GetScalars()->Fill(0.0);
   scene.Image->GetPointData()->GetScalars()->Modified();

@@ -45,6 +45,10 @@ struct SliceFrame
   /// these themselves.
   vtkSliceMatter* Matter = nullptr;
 
+  /// Whether OpenGL is software, and the share of what is drawn that has matter; see MatterShare.
+  bool IsSoftware = false;
+  double ShareOfMatter = 1.0;
+
   bool IsShaded = false;
   /// The settings of these names of vtkShadowedSliceMapper.
   double SurfaceGradient = 0.0;

@@ -56,7 +56,9 @@ std::string SlicePart::Prepare(vtkOpenGLRenderWindow* window, std::size_t sweep,
     return {};
   }
   this->IsThick = SliceShader::HasThickPart(*this->Frame, sweep);
-  this->IsThin = SliceShader::HasThinPart(*this->Frame, sweep);
+  const bool isProbed = SliceShader::HasEmptyPart(*this->Frame, sweep);
+  this->IsSplit = this->IsThick || isProbed;
+  this->IsThin = !isProbed && SliceShader::HasThinPart(*this->Frame, sweep);
   this->IsMarked = isMarked;
   const auto prepare = [&](SlicePass& pass, SliceShader::Parts part)
   {
@@ -71,12 +73,12 @@ std::string SlicePart::Prepare(vtkOpenGLRenderWindow* window, std::size_t sweep,
     return error;
   };
   std::string error = prepare(this->Eye,
-    !this->IsThick   ? SliceShader::ALL
+    !this->IsSplit   ? SliceShader::ALL
       : this->IsThin ? SliceShader::THIN
                      : SliceShader::EMPTY);
-  if (error.empty() && this->IsThick)
+  if (error.empty() && this->IsSplit)
   {
-    error = prepare(this->ThickEye, SliceShader::THICK);
+    error = prepare(this->SecondEye, this->IsThick ? SliceShader::THICK : SliceShader::ALL);
   }
   return error;
 }
@@ -110,7 +112,7 @@ void SlicePart::Draw(
   }
   const std::vector<std::size_t>& starts = this->Polygons.GetStarts();
   const double entrance = sweep.First + slab * sweep.Spacing;
-  if (this->IsThick)
+  if (this->IsSplit)
   {
     // The first pass does not mark the fragments that it leaves out by their depth, and the second
     // pass draws these alone.
@@ -120,7 +122,7 @@ void SlicePart::Draw(
     this->Eye.Draw(window, starts, slab, entrance, number, volumes);
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     state->vtkglDepthMask(GL_FALSE);
-    this->ThickEye.Draw(window, starts, slab, entrance, number, volumes);
+    this->SecondEye.Draw(window, starts, slab, entrance, number, volumes);
   }
   else
   {
@@ -160,7 +162,7 @@ void SlicePart::End()
 void SlicePart::ReleaseGraphicsResources()
 {
   this->Eye.ReleaseGraphicsResources();
-  this->ThickEye.ReleaseGraphicsResources();
+  this->SecondEye.ReleaseGraphicsResources();
   this->Vertices->ReleaseGraphicsResources();
 }
 

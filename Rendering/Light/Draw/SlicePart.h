@@ -52,7 +52,7 @@ public:
 
   /**
    * Makes the eye's programs ready for a sweep. \a isMarked says that some volume of the picture
-   * has thick matter; \a activate binds what all volumes share. A volume without triangles has no
+   * has two programs; \a activate binds what all volumes share. A volume without triangles has no
    * programs. Returns what is wrong, or nothing.
    */
   std::string Prepare(vtkOpenGLRenderWindow* window, std::size_t sweep, bool isOccluded,
@@ -60,7 +60,7 @@ public:
   /// Adds a program that reads the volume's textures, which are bound.
   void Add(vtkShaderProgram* program);
   bool HasThickPart() const { return this->IsThick; }
-  vtkShaderProgram* GetThickProgram() const { return this->ThickEye.GetProgram(); }
+  vtkShaderProgram* GetThickProgram() const { return this->SecondEye.GetProgram(); }
 
   /// Draws a slab into the picture that is bound, as one of so many volumes.
   void Draw(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep, int slab, int number,
@@ -81,10 +81,11 @@ private:
   SliceTextures* Textures = nullptr;
   SlicePolygons Polygons;
   vtkNew<vtkOpenGLBufferObject> Vertices;
-  /// All matter, or all that is thin, or none, where the thick has a program of its own.
+  /// All matter, or all that is thin, or none, where the thick or all matter has a second program.
   SlicePass Eye;
-  SlicePass ThickEye;
+  SlicePass SecondEye;
   bool IsThick = false;
+  bool IsSplit = false;
   bool IsThin = true;
   bool IsMarked = false;
   std::vector<vtkShaderProgram*> Programs;

@@ -310,7 +310,7 @@ std::string SliceRasterizer::PreparePart(vtkOpenGLRenderWindow* window, const Sl
 {
   const Sweep& sweep = frame.Plan.Sweeps[sweepIndex];
   SlicePart& part = *this->Parts[number];
-  std::string error = part.Prepare(window, sweepIndex, this->HasOpaqueDepth, this->HasThickPart,
+  std::string error = part.Prepare(window, sweepIndex, this->HasOpaqueDepth, this->HasMarks,
     [&](vtkShaderProgram* program)
     { this->ActivateTextures(window, frame, sweepIndex, program, report); });
   std::vector<SliceLightBuffer*> buffers;
@@ -335,11 +335,14 @@ std::string SliceRasterizer::PrepareParts(vtkOpenGLRenderWindow* window, const S
 {
   std::vector<SlicePlan::Matter> matter;
   this->HasThickPart = false;
+  this->HasMarks = false;
   for (const std::unique_ptr<SlicePart>& part : this->Parts)
   {
     const SliceFrame& own = part->GetFrame();
     matter.push_back({ &own.Space, own.Region.Box, 0.0 });
     this->HasThickPart = this->HasThickPart || SliceShader::HasThickPart(own, sweepIndex);
+    this->HasMarks =
+      this->HasMarks || this->HasThickPart || SliceShader::HasEmptyPart(own, sweepIndex);
   }
   this->Order.Find(frame.Plan.Sweeps[sweepIndex], frame.Eye, frame.Lights, matter);
   this->HasReceivers = frame.Scene && frame.Scene->EyeDepth;

@@ -129,6 +129,8 @@ private:
   vtkNew<vtkTextureObject> SweepImage;
   vtkNew<vtkTextureObject> OpaqueDepth;
   bool HasThickPart = false;
+  /// Whether some volume has two programs, and slices depths of their own.
+  bool HasMarks = false;
   bool HasReceivers = false;
   SliceReceivers Receivers;
   SliceOcclusion Occlusion;

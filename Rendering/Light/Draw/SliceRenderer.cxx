@@ -10,6 +10,7 @@
 #include "Loader/OpenGLFunctions.h"
 #include "Plan/UnitSpaceCamera.h"
 #include "Receivers/SliceScene.h"
+#include "Volume/MatterShare.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
@@ -150,6 +151,8 @@ std::string SliceRenderer::UpdateMaterial(vtkVolume* volume, const Request& requ
   if (error.empty())
   {
     this->Frame.Blocks.Classify(this->Frame.Material);
+    this->Frame.ShareOfMatter =
+      MatterShare::Find(this->Frame.Samples, this->Frame.Blocks, this->Frame.Material);
     this->MaterialOwner = property;
     this->MaterialKey = std::move(key);
     this->TransmissionTime = transmissionTime;
@@ -274,7 +277,8 @@ std::string SliceRenderer::UpdateVolume(
   std::string error = SliceRasterizer::FindFault(window);
   if (error.empty())
   {
-    error = this->UpdateSamples(request, vtkSoftwareOpenGL::IsUsed(window));
+    this->Frame.IsSoftware = vtkSoftwareOpenGL::IsUsed(window);
+    error = this->UpdateSamples(request, this->Frame.IsSoftware);
   }
   if (error.empty())
   {

@@ -21,7 +21,7 @@ class SliceShader
 {
 public:
   /// Fragments of a slab: all; or those of thin matter and of none, or of none alone, which need no
-  /// light, and then those of thick matter.
+  /// light, and then those of thick matter, or all that are left.
   enum Parts
   {
     ALL,
@@ -32,6 +32,10 @@ public:
   /// Returns whether thick matter is drawn by itself in a sweep: where there is some, and a light
   /// seen through a plane casts shadows in it.
   static bool HasThickPart(const SliceFrame& frame, std::size_t sweep);
+  /// Whether what is empty is drawn by itself, before all else, where no matter is thick: software
+  /// OpenGL runs all of a shader for fragments that are discarded, unless the test of depth drops
+  /// them.
+  static bool HasEmptyPart(const SliceFrame& frame, std::size_t sweep);
   /// Whether there is thin matter too: where some opacity above 0 makes whole slabs thin.
   static bool HasThinPart(const SliceFrame& frame, std::size_t sweep);
 

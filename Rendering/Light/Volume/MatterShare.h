@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_MatterShare_h
+#define interlume_MatterShare_h
+
+namespace interlume
+{
+
+class MaterialTable;
+class VolumeBlocks;
+class VolumeSamples;
+
+/**
+ * @class   MatterShare
+ * @brief   how much of what is drawn of a volume has matter
+ */
+class MatterShare
+{
+public:
+  /// Returns the share, 0 to 1, of the samples of visible blocks that have an extinction above 0 in
+  /// a row, from one sample in four along each axis; 1 where no block is visible.
+  static double Find(
+    const VolumeSamples& samples, const VolumeBlocks& blocks, const MaterialTable& material);
+};
+
+}
+
+#endif
