@@ -471,7 +471,7 @@ void TetrahedraRenderer::DrawInSoftware(
   report.Features = this->GetFeatures();
   const DrawnState state = { this->Frame.View, this->MeshVersion, this->ColorVersion,
     this->OrderVersion, this->SurfaceVersion, this->Frame.Blend, this->Frame.IsExact, false,
-    this->Frame.PixelStride, this->Frame.TetrahedronStride, this->Depth.GetDepths() };
+    this->Frame.PixelStride, this->Frame.TetrahedronStride, this->Depth.GetDepths(), {} };
   // A still view of a still scene keeps its picture.
   if (!(resources.Drawn == state))
   {
