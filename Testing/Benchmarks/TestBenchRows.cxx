@@ -147,11 +147,14 @@ void CheckMethods(const nlohmann::json& rows)
 /// Every question of the suites that have them: ways to compare, errors, and one default.
 void CheckQuestions(const nlohmann::json& rows)
 {
-  const std::set<std::string> wanted = { "contour-error", "table-routes", "critical-points",
+  std::set<std::string> wanted = { "contour-error", "table-routes", "critical-points",
     "vortex-axis", "stream-surface-resolution", "lic-step", "lic-length", "source-samples",
     "source-voxels", "sort-mode", "blend-mode", "light-lookup", "image-sample-distance",
     "coloured-transmission", "texel-rounding", "time-volume-pictures", "flow-texture-voxels",
     "flow-texture-samples", "streamline-texture" };
+#ifdef INTERLUME_ENABLE_TETGEN
+  wanted.insert("mesher-bounds");
+#endif
   std::map<std::string, int> ways;
   std::map<std::string, int> defaults;
   for (const auto& row : rows)
