@@ -20,6 +20,7 @@ void vtkExtractionReport::Add(const vtkExtractionReport& other)
 {
   this->Cells += other.Cells;
   this->CellsVisited += other.CellsVisited;
+  this->CellsByBits += other.CellsByBits;
   this->CellsWithOutput += other.CellsWithOutput;
   this->LowerDimensionalCells += other.LowerDimensionalCells;
   this->NonFiniteCells += other.NonFiniteCells;
@@ -42,7 +43,7 @@ void vtkExtractionReport::Print(ostream& os, vtkIndent indent) const
 {
   interlume::NamedValue::Print(os, indent,
     { { "Cells", this->Cells }, { "CellsVisited", this->CellsVisited },
-      { "CellsWithOutput", this->CellsWithOutput },
+      { "CellsByBits", this->CellsByBits }, { "CellsWithOutput", this->CellsWithOutput },
       { "LowerDimensionalCells", this->LowerDimensionalCells },
       { "NonFiniteCells", this->NonFiniteCells }, { "BlankedCells", this->BlankedCells },
       { "LinearizedCells", this->LinearizedCells }, { "ConcavePolyhedra", this->ConcavePolyhedra },

@@ -25,6 +25,10 @@ struct INTERLUMEINTERVALS_EXPORT vtkExtractionReport
   /// The number of cells whose values were read; the others were skipped by the index of value
   /// ranges.
   vtkIdType CellsVisited = 0;
+  /// The number of cells that were compared as bits, which is quicker: those of image data,
+  /// rectilinear and structured grids in a contour of one value, without UseValueIndex, where no
+  /// cell or point is blanked, hidden or a ghost, but for layers of ghost cells around a piece.
+  vtkIdType CellsByBits = 0;
   /// The number of cells of the input that gave at least one simplex.
   vtkIdType CellsWithOutput = 0;
   /// The number of cells left out because they have fewer than three dimensions.

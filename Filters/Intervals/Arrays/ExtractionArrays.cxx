@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Arrays/ExtractionArrays.h"
 
-#include "Grid/RowIndex.h"
+#include "Arrays/RowCoordinates.h"
 #include "Output/Interpolation.h"
 #include "Output/ThreadGrain.h"
 
@@ -12,7 +12,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
-#include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
@@ -20,7 +19,6 @@
 #include "vtkSMPTools.h"
 #include "vtkStructuredGrid.h"
 
-#include <array>
 #include <cstring>
 #include <limits>
 #include <type_traits>
@@ -124,102 +122,15 @@ void InterpolateArray(vtkDataArray* first, vtkDataArray* second, vtkIdType split
   }
 }
 
-// Coordinates of grid points from their index in a grid of rows, rounded as the grid's own are.
-class RowCoordinates
-{
-public:
-  RowCoordinates(vtkDataSet* input, const int dimensions[3])
-    : Rows(dimensions)
-  {
-    if (vtkImageData* image = vtkImageData::SafeDownCast(input))
-    {
-      const int* extent = image->GetExtent();
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        for (int i = 0; i < dimensions[axis]; ++i)
-        {
-          this->Axes[axis].push_back(
-            image->GetOrigin()[axis] + (extent[2 * axis] + i) * image->GetSpacing()[axis]);
-        }
-      }
-      this->Turned = image->GetDirectionMatrix()->IsIdentity() ? nullptr : image;
-      return;
-    }
-    vtkRectilinearGrid* grid = vtkRectilinearGrid::SafeDownCast(input);
-    vtkDataArray* axes[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
-      grid->GetZCoordinates() };
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      for (int i = 0; i < dimensions[axis]; ++i)
-      {
-        this->Axes[axis].push_back(axes[axis]->GetComponent(i, 0));
-      }
-    }
-  }
-
-  void GetPoint(const ExtractionPoint& point, double x[3]) const
-  {
-    if (this->Turned)
-    {
-      this->GetTurnedPoint(point, x);
-      return;
-    }
-    const std::array<int, 3> near = this->Rows.GetIjk(point.Near);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      x[axis] = this->Axes[axis][near[axis]];
-    }
-    if (point.Near != point.Far)
-    {
-      const int axis = this->Rows.GetAxis(point.Near, point.Far);
-      const int step = point.Near < point.Far ? 1 : -1;
-      x[axis] =
-        Interpolation::Between<double>(x[axis], this->Axes[axis][near[axis] + step], point.Weight);
-    }
-  }
-
-private:
-  void GetTurnedPoint(const ExtractionPoint& point, double x[3]) const
-  {
-    this->Turned->GetPoint(point.Near, x);
-    if (point.Near != point.Far)
-    {
-      double end[3];
-      this->Turned->GetPoint(point.Far, end);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        x[axis] = Interpolation::Between<double>(x[axis], end[axis], point.Weight);
-      }
-    }
-  }
-
-  RowIndex Rows;
-  std::vector<double> Axes[3];
-  // The image, where its axes are not those of space; else null.
-  vtkImageData* Turned = nullptr;
-};
-
 template <typename OutArray>
 void FillRowPoints(vtkDataSet* input, const PointList& points, OutArray* out)
 {
   using Out = vtk::GetAPIType<OutArray>;
-  int dimensions[3] = {};
-  ExtractionArrays::GetRowDimensions(input, dimensions);
-  const RowCoordinates coordinates(input, dimensions);
+  const RowCoordinates coordinates(input);
   Out* to = out->GetPointer(0);
   vtkSMPTools::For(0, static_cast<vtkIdType>(points.GetSize()), ThreadGrain,
     [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType p = first; p < last; ++p)
-      {
-        double x[3];
-        coordinates.GetPoint(points[p], x);
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          to[3 * p + axis] = static_cast<Out>(x[axis]);
-        }
-      }
-    });
+    { coordinates.Fill(points.GetData() + first, last - first, to + 3 * first); });
 }
 
 }

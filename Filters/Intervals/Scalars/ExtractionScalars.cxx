@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scalars/ExtractionScalars.h"
 
+#include "Scalars/BitKernels.h"
 #include "Scalars/ExtractionDispatch.h"
 #include "Scalars/ExtractionKernels.h"
 
@@ -67,6 +68,39 @@ public:
     return this->MarkNonFinite(f, number, codes);
   }
 
+  BitRows::Kinds Compare(vtkIdType first, vtkIdType number, const BitRows::Row& row) const override
+  {
+    // Where no value of the type is that large, none reaches the isovalue, or none passes it.
+    const std::size_t thresholds = this->Thresholds.size();
+    const bool isReached = thresholds > 0;
+    const bool isPassed = thresholds > 1;
+    const T* const f = this->Data + first;
+    const T reach = isReached ? this->Thresholds[0] : T();
+    const T pass = isPassed ? this->Thresholds[1] : T();
+    const auto isAbove = [=](T value) { return isReached & (value >= reach); };
+    const auto isTie = [=](T value)
+    { return isReached & (value >= reach) & !(isPassed & (value >= pass)); };
+    BitRows::Kinds kinds;
+    BitKernels::Fill(f, number, row.Above, isAbove);
+    kinds.Ties = BitKernels::HasAny(f, number, isTie);
+    if (kinds.Ties)
+    {
+      BitKernels::Fill(f, number, row.Ties, isTie);
+    }
+    if constexpr (std::is_floating_point<T>::value)
+    {
+      kinds.NonFinite = HasNonFinite(f, number);
+      if (kinds.NonFinite)
+      {
+        const auto isLost = [](T value) { return !std::isfinite(value); };
+        BitKernels::Fill(f, number, row.NonFinite, isLost);
+        BitKernels::Fill(
+          f, number, row.Above, [=](T value) { return isLost(value) | isAbove(value); });
+      }
+    }
+    return kinds;
+  }
+
   void Place(ExtractionPoint* points, vtkIdType number) const override
   {
     for (vtkIdType p = 0; p < number; ++p)
@@ -113,16 +147,21 @@ private:
     point.Weight = static_cast<double>(to[isNearA] / (toA + toB));
   }
 
+  static bool HasNonFinite(const T* f, vtkIdType number)
+  {
+    int nonFinite = 0;
+    for (vtkIdType i = 0; i < number; ++i)
+    {
+      nonFinite |= !(std::abs(f[i]) <= std::numeric_limits<T>::max());
+    }
+    return nonFinite != 0;
+  }
+
   bool MarkNonFinite(const T* f, vtkIdType number, Code* codes) const
   {
     if constexpr (std::is_floating_point<T>::value)
     {
-      int nonFinite = 0;
-      for (vtkIdType i = 0; i < number; ++i)
-      {
-        nonFinite |= !(std::abs(f[i]) <= std::numeric_limits<T>::max());
-      }
-      if (nonFinite)
+      if (HasNonFinite(f, number))
       {
         for (vtkIdType i = 0; i < number; ++i)
         {

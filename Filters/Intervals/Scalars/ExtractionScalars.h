@@ -3,6 +3,7 @@
 #define interlume_ExtractionScalars_h
 
 #include "Output/ExtractionPoint.h"
+#include "Scalars/BitRows.h"
 #include "Scalars/ExtractionValues.h"
 
 #include <memory>
@@ -41,6 +42,11 @@ public:
   /// Computes the codes of points first ... first + number - 1. Returns whether all values are
   /// finite.
   virtual bool Classify(vtkIdType first, vtkIdType number, Code* codes) const = 0;
+
+  /// Sets the bits of a row of \a number points from \a first on, against the least isovalue.
+  /// Returns what there is besides Above.
+  virtual BitRows::Kinds Compare(
+    vtkIdType first, vtkIdType number, const BitRows::Row& row) const = 0;
 
   /**
    * Puts crossings in their places. On entry Near < Far are the ends of the edge and Weight is the

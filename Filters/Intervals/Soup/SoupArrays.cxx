@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Soup/SoupArrays.h"
 
+#include "Arrays/ArrayInterpolator.h"
 #include "Arrays/ExtractionArrays.h"
-#include "Output/Interpolation.h"
-#include "Scalars/ExtractionDispatch.h"
 #include "Soup/SoupBuilder.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
-
-#include <type_traits>
 
 namespace interlume
 {
@@ -28,39 +25,13 @@ public:
   virtual void Write(SoupPart& part, vtkIdType first) const = 0;
 };
 
-namespace
-{
-// Values that lie one after the other in memory.
-template <typename T>
-struct Contiguous
-{
-  const T* Values;
-
-  double Get(vtkIdType point, int component, int components) const
-  {
-    return static_cast<double>(this->Values[point * components + component]);
-  }
-};
-
-// Any array, value by value.
-struct AnyValues
-{
-  vtkDataArray* Values;
-
-  double Get(vtkIdType point, int component, int) const
-  {
-    return this->Values->GetComponent(point, component);
-  }
-};
-}
-
-template <typename Source, typename Out>
+template <typename Out>
 class SoupArrays::TypedWriter : public Writer
 {
 public:
   // \a place is the number of components that parts have in that type before these.
-  TypedWriter(const Source& source, vtkDataArray* out, std::size_t place)
-    : In(source)
+  TypedWriter(vtkDataArray* in, vtkDataArray* out, std::size_t place)
+    : In(ArrayInterpolator::Make(in, out->GetDataType()))
     , Result(vtkAOSDataArrayTemplate<Out>::FastDownCast(out))
     , Components(out->GetNumberOfComponents())
     , Place(place)
@@ -69,8 +40,10 @@ public:
 
   void Interpolate(const ExtractionPoint* points, std::size_t number, SoupPart& part) const override
   {
-    this->WithComponents(
-      [&](auto known) { this->template InterpolateAll<known()>(points, number, part); });
+    std::vector<Out>& values = part.GetValues<Out>();
+    const std::size_t place = values.size();
+    values.resize(place + this->Components * number);
+    this->In->Interpolate(points, number, values.data() + place);
   }
 
   void Allocate(vtkIdType corners) const override
@@ -81,44 +54,19 @@ public:
 
   void Write(SoupPart& part, vtkIdType first) const override
   {
-    this->WithComponents([&](auto known) { this->template Write<known()>(part, first); });
-  }
-
-private:
-  // A known number of components needs no loop.
-  template <typename Function>
-  void WithComponents(Function&& function) const
-  {
+    // A known number of components needs no loop.
     switch (this->Components)
     {
       case 1:
-        return function(std::integral_constant<int, 1>());
+        return this->template Write<1>(part, first);
       case 3:
-        return function(std::integral_constant<int, 3>());
+        return this->template Write<3>(part, first);
       default:
-        return function(std::integral_constant<int, 0>());
+        return this->template Write<0>(part, first);
     }
   }
 
-  template <int Known>
-  void InterpolateAll(const ExtractionPoint* points, std::size_t number, SoupPart& part) const
-  {
-    const int size = Known ? Known : this->Components;
-    std::vector<Out>& values = part.GetValues<Out>();
-    const std::size_t place = values.size();
-    values.resize(place + size * number);
-    Out* value = values.data() + place;
-    for (std::size_t p = 0; p < number; ++p)
-    {
-      const ExtractionPoint& point = points[p];
-      for (int c = 0; c < size; ++c)
-      {
-        *value++ = Interpolation::Between<Out>(
-          this->In.Get(point.Near, c, size), this->In.Get(point.Far, c, size), point.Weight);
-      }
-    }
-  }
-
+private:
   template <int Known>
   void Write(SoupPart& part, vtkIdType first) const
   {
@@ -135,35 +83,22 @@ private:
     }
   }
 
-  Source In;
+  std::unique_ptr<ArrayInterpolator> In;
   vtkAOSDataArrayTemplate<Out>* Result;
   int Components;
   std::size_t Place;
 };
 
 SoupArrays::SoupArrays(vtkDataSet* input, int precision)
-  : Input(input)
+  : Arrays(input, precision)
 {
-  this->Points.TakeReference(vtkPoints::New(ExtractionArrays::ChoosePointType(input, precision)));
   this->AddWriter(
-    vtkPointSet::SafeDownCast(input)->GetPoints()->GetData(), this->Points->GetData());
-  vtkPointData* arrays = input->GetPointData();
-  for (int a = 0; a < arrays->GetNumberOfArrays(); ++a)
+    vtkPointSet::SafeDownCast(input)->GetPoints()->GetData(), this->GetPoints()->GetData());
+  for (const CarriedArrays::Carried& array : this->Arrays.GetArrays())
   {
-    vtkAbstractArray* in = arrays->GetAbstractArray(a);
-    if (!ExtractionArrays::IsCarried(arrays, in))
+    if (vtkDataArray* numbers = vtkDataArray::SafeDownCast(array.In))
     {
-      continue;
-    }
-    const vtkSmartPointer<vtkAbstractArray> out = ExtractionArrays::NewInterpolated(in, 0);
-    this->Arrays.push_back({ in, out });
-    if (vtkDataArray* numbers = vtkDataArray::SafeDownCast(in))
-    {
-      this->AddWriter(numbers, vtkDataArray::SafeDownCast(out));
-    }
-    else
-    {
-      this->HasOthers = true;
+      this->AddWriter(numbers, vtkDataArray::SafeDownCast(array.Out));
     }
   }
 }
@@ -174,24 +109,13 @@ void SoupArrays::AddWriter(vtkDataArray* in, vtkDataArray* out)
 {
   const bool isFloat = out->GetDataType() == VTK_FLOAT;
   std::size_t& place = isFloat ? this->FloatComponents : this->DoubleComponents;
-  const auto add = [&](const auto& source)
+  if (isFloat)
   {
-    using Source = std::decay_t<decltype(source)>;
-    if (isFloat)
-    {
-      this->Writers.push_back(std::make_unique<TypedWriter<Source, float>>(source, out, place));
-    }
-    else
-    {
-      this->Writers.push_back(std::make_unique<TypedWriter<Source, double>>(source, out, place));
-    }
-    return true;
-  };
-  const bool isContiguous = ExtractionDispatch::Execute(in,
-    [&](const auto* values) { return add(Contiguous<std::decay_t<decltype(*values)>>{ values }); });
-  if (!isContiguous)
+    this->Writers.push_back(std::make_unique<TypedWriter<float>>(in, out, place));
+  }
+  else
   {
-    add(AnyValues{ in });
+    this->Writers.push_back(std::make_unique<TypedWriter<double>>(in, out, place));
   }
   place += out->GetNumberOfComponents();
 }
@@ -209,7 +133,7 @@ SoupPart SoupArrays::Interpolate(const SoupBuilder& builder) const
   {
     writer->Interpolate(points, number, part);
   }
-  for (std::size_t p = 0; this->HasOthers && p < number; ++p)
+  for (std::size_t p = 0; this->Arrays.HasOthers() && p < number; ++p)
   {
     part.Nearer.push_back(points[p].Near);
   }
@@ -222,7 +146,7 @@ void SoupArrays::Allocate(vtkIdType corners)
   {
     writer->Allocate(corners);
   }
-  if (this->HasOthers)
+  if (this->Arrays.HasOthers())
   {
     this->Nearer.Allocate(corners);
   }
@@ -235,7 +159,7 @@ void SoupArrays::Write(SoupPart& part, vtkIdType first)
   {
     writer->Write(part, first);
   }
-  for (std::size_t c = 0; this->HasOthers && c < part.Corners.size(); ++c)
+  for (std::size_t c = 0; this->Arrays.HasOthers() && c < part.Corners.size(); ++c)
   {
     this->Nearer[first + c] = part.Nearer[part.Corners[c]];
   }
@@ -243,7 +167,7 @@ void SoupArrays::Write(SoupPart& part, vtkIdType first)
 
 void SoupArrays::AddTo(vtkPointData* output)
 {
-  for (const Carried& array : this->Arrays)
+  for (const CarriedArrays::Carried& array : this->Arrays.GetArrays())
   {
     if (!vtkDataArray::SafeDownCast(array.In))
     {
@@ -254,8 +178,8 @@ void SoupArrays::AddTo(vtkPointData* output)
         array.Out->SetTuple(corner, this->Nearer[corner], array.In);
       }
     }
-    ExtractionArrays::AddLike(this->Input->GetPointData(), array.In, output, array.Out);
   }
+  this->Arrays.AddTo(output);
 }
 
 }

@@ -2,6 +2,7 @@
 #ifndef interlume_SoupArrays_h
 #define interlume_SoupArrays_h
 
+#include "Arrays/CarriedArrays.h"
 #include "Output/ExtractionBuffer.h"
 #include "Soup/SoupPart.h"
 
@@ -11,7 +12,6 @@
 #include <memory>
 #include <vector>
 
-class vtkAbstractArray;
 class vtkDataArray;
 class vtkDataSet;
 class vtkPointData;
@@ -48,33 +48,23 @@ public:
 
   /// Returns whether there is room.
   bool IsAllocated() const { return this->HasRoom; }
-  const vtkSmartPointer<vtkPoints>& GetPoints() const { return this->Points; }
+  const vtkSmartPointer<vtkPoints>& GetPoints() const { return this->Arrays.GetPoints(); }
   /// Gives the arrays to \a output.
   void AddTo(vtkPointData* output);
 
 private:
   class Writer;
-  template <typename Source, typename Out>
+  template <typename Out>
   class TypedWriter;
-
-  /// An array of the input and what it becomes.
-  struct Carried
-  {
-    vtkAbstractArray* In;
-    vtkSmartPointer<vtkAbstractArray> Out;
-  };
 
   void AddWriter(vtkDataArray* in, vtkDataArray* out);
 
-  vtkDataSet* Input;
-  vtkSmartPointer<vtkPoints> Points;
+  CarriedArrays Arrays;
   std::vector<std::unique_ptr<Writer>> Writers;
   /// The numbers of components of all coordinates and arrays in single and in double precision.
   std::size_t FloatComponents = 0;
   std::size_t DoubleComponents = 0;
-  std::vector<Carried> Arrays;
-  /// Whether there are arrays that are not of numbers: they take the value of the nearer end.
-  bool HasOthers = false;
+  /// The nearer end of each point, where there are arrays that are not of numbers.
   ExtractionBuffer<vtkIdType> Nearer;
   bool HasRoom = false;
 };

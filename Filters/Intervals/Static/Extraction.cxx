@@ -2,6 +2,7 @@
 #include "Static/Extraction.h"
 
 #include "Arrays/ExtractionArrays.h"
+#include "Arrays/PointArrays.h"
 #include "Grid/WholeCells.h"
 #include "Scalars/ExtractionDispatch.h"
 #include "Soup/SoupArrays.h"
@@ -9,6 +10,7 @@
 #include "Static/ExtractionIndex.h"
 #include "Static/ExtractionLinearizer.h"
 #include "Static/GhostCells.h"
+#include "Static/RowContour.h"
 #include "Static/StructuredExtraction.h"
 #include "Static/UnstructuredExtraction.h"
 #include "Static/WholeFaces.h"
@@ -157,6 +159,14 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
     context.Soup = &*soup;
   }
 
+  std::optional<PointArrays> arrays;
+  if (this->SharePoints && RowContour::IsSuited(context) &&
+    ExtractionArrays::GetRowDimensions(context.Input, dimensions))
+  {
+    arrays.emplace(context.Input, this->OutputPointsPrecision);
+    context.Arrays = arrays->AreNumbers() ? &*arrays : nullptr;
+  }
+
   ExtractionMesh mesh;
   mesh.HasSeveralItems = this->Values->GetItems().size() > 1;
   if (!this->ExtractMesh(context, mesh))
@@ -176,9 +186,10 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   {
     GhostCells::Remove(context, mesh);
   }
+  const bool hasArrays = arrays && arrays->IsAllocated();
   if (mesh.Used.GetSize() > 0)
   {
-    ExtractionCleanup::RemoveUnusedPoints(mesh);
+    ExtractionCleanup::RemoveUnusedPoints(mesh, hasArrays ? &*arrays : nullptr);
   }
   if (this->InputBoundary)
   {
@@ -189,8 +200,9 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   {
     ExtractionCleanup::SplitPoints(mesh);
   }
-  const vtkSmartPointer<vtkPoints> points = isSoup
-    ? soup->GetPoints()
+  const vtkSmartPointer<vtkPoints> points = isSoup ? soup->GetPoints()
+    : arrays && arrays->IsAllocated()
+    ? arrays->GetPoints()
     : ExtractionArrays::MakePoints(context.Input, mesh.Points, this->OutputPointsPrecision);
   if (this->Whole)
   {
@@ -234,6 +246,10 @@ void Extraction::FillOutput(const ExtractionContext& context, ExtractionMesh& me
   if (context.Soup && context.Soup->IsAllocated())
   {
     context.Soup->AddTo(output->GetPointData());
+  }
+  else if (context.Arrays && context.Arrays->IsAllocated())
+  {
+    context.Arrays->AddTo(output->GetPointData());
   }
   else
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Static/ExtractionCleanup.h"
 
+#include "Arrays/PointArrays.h"
 #include "Grid/WholeCells.h"
 #include "Output/OppositePairs.h"
 #include "Static/WholeFaces.h"
@@ -114,7 +115,9 @@ void RemoveTriangles(ExtractionMesh& mesh, const std::vector<bool>& isRemoved)
 // Marks the points in use anew.
 void MarkUsed(ExtractionMesh& mesh)
 {
-  mesh.Used.AllocateZeros(mesh.Points.GetSize());
+  // Where arrays have the points in place of a list, there have been marks.
+  const std::size_t listed = mesh.Points.GetSize();
+  mesh.Used.AllocateZeros(listed > 0 ? listed : mesh.Used.GetSize());
   const auto use = [used = mesh.Used.GetData()](vtkIdType id)
   { used[id].store(1, std::memory_order_relaxed); };
   mesh.Simplices.ForEachId(use);
@@ -150,9 +153,9 @@ void ExtractionCleanup::SplitPoints(ExtractionMesh& mesh)
   mesh.Simplices.NumberConsecutively();
 }
 
-void ExtractionCleanup::RemoveUnusedPoints(ExtractionMesh& mesh)
+void ExtractionCleanup::RemoveUnusedPoints(ExtractionMesh& mesh, PointArrays* arrays)
 {
-  const std::size_t number = mesh.Points.GetSize();
+  const std::size_t number = mesh.Used.GetSize();
   const std::atomic<unsigned char>* used = mesh.Used.GetData();
   if (std::find(used, used + number, 0) == used + number)
   {
@@ -163,14 +166,24 @@ void ExtractionCleanup::RemoveUnusedPoints(ExtractionMesh& mesh)
   mesh.Simplices.RemovePoints(used, static_cast<vtkIdType>(number),
     [&](vtkIdType p, vtkIdType before)
     {
-      mesh.Points[before] = mesh.Points[p];
+      if (!arrays)
+      {
+        mesh.Points[before] = mesh.Points[p];
+      }
       kept = before + used[p].load(std::memory_order_relaxed);
       if (!newIds.empty())
       {
         newIds[p] = before;
       }
     });
-  mesh.Points.Truncate(kept);
+  if (arrays)
+  {
+    arrays->Keep([used](vtkIdType p) { return used[p].load(std::memory_order_relaxed) != 0; });
+  }
+  else
+  {
+    mesh.Points.Truncate(kept);
+  }
   for (auto& triangle : mesh.Triangles)
   {
     for (vtkIdType& id : triangle)

@@ -30,8 +30,9 @@ public:
   /// Gives each triangle of a contour points of its own; the triangles keep their order.
   static void SplitPoints(ExtractionMesh& mesh);
 
-  /// Removes points that nothing uses; the others keep their order.
-  static void RemoveUnusedPoints(ExtractionMesh& mesh);
+  /// Removes points that nothing uses; the others keep their order. \a arrays has them where the
+  /// mesh has no list, else it is null.
+  static void RemoveUnusedPoints(ExtractionMesh& mesh, PointArrays* arrays);
 
   /**
    * Removes pairs of simplices of \a size points of one interval or contour that have the same

@@ -27,6 +27,7 @@ namespace interlume
 {
 
 class ExtractionIndex;
+class PointArrays;
 class SoupArrays;
 class WholeCells;
 
@@ -62,13 +63,12 @@ struct ExtractionMesh
   /// Whether simplices differ in their item; with one item they are all noted at once.
   bool HasSeveralItems = false;
 
-  /// Makes room for simplices of \a size points, for \a wholeCells cells with \a wholeIds points
-  /// in all and, without boundaries, 0 triangles.
-  void Allocate(vtkIdType simplices, int size, vtkIdType triangles, bool keepCellIds,
-    vtkIdType wholeCells = 0, vtkIdType wholeIds = 0)
+  /// Makes room for simplices of \a size of \a points points, for \a wholeCells cells with \a
+  /// wholeIds points in all and, without boundaries, 0 triangles.
+  void Allocate(vtkIdType points, vtkIdType simplices, int size, vtkIdType triangles,
+    bool keepCellIds, vtkIdType wholeCells = 0, vtkIdType wholeIds = 0)
   {
-    this->Simplices.Allocate(
-      simplices, size, static_cast<vtkIdType>(this->Points.GetSize()), wholeCells, wholeIds);
+    this->Simplices.Allocate(simplices, size, points, wholeCells, wholeIds);
     const vtkIdType cells = simplices + wholeCells;
     ExtractionMemory::SetNumberOfTuples(this->ItemIds, cells);
     if (!this->HasSeveralItems)
@@ -163,6 +163,9 @@ struct ExtractionContext : Blanking
   /// Takes the points of triangles that share none, in place of the mesh; null where they are
   /// shared.
   SoupArrays* Soup = nullptr;
+  /// Takes the points of the mesh, where they can be written without a list of all; null where a
+  /// list is needed.
+  PointArrays* Arrays = nullptr;
   bool GenerateBoundaries = false;
   bool KeepCellIds = false;
   /// Whether tetrahedra are oriented as their corners are stored, not by their coordinates: those

@@ -11,7 +11,8 @@
 #include "Static/ExtractionCell.h"
 #include "Static/ExtractionIndex.h"
 #include "Static/GhostCells.h"
-#include "Static/MergedCut.h"
+#include "Static/RowContour.h"
+#include "Static/TiedCases.h"
 
 #include "vtkCellType.h"
 #include "vtkImageData.h"
@@ -20,7 +21,6 @@
 #include "vtkSMPThreadLocal.h"
 
 #include <atomic>
-#include <numeric>
 #include <type_traits>
 
 namespace interlume
@@ -222,15 +222,6 @@ private:
       [this](vtkIdType first, vtkIdType last) { this->ProcessRows<false>(first, last); });
   }
 
-  // The cut of a cell where values equal isovalues, which follows from the interval and from how
-  // each corner's value compares with both of its bounds. Cells that are alike follow each other.
-  struct TiedCase
-  {
-    std::uint64_t Key = 0;
-    bool IsMerged = false;
-    MergedCut Cut;
-  };
-
   // The buffers and counts of a thread.
   struct Local
   {
@@ -243,7 +234,7 @@ private:
     std::array<vtkIdType, 2> Given{ { 0, 0 } };
     std::vector<ExtractionIndex::Span> Spans;
     std::vector<ExtractionIndex::Span> Counted;
-    std::vector<TiedCase> TiedCases;
+    interlume::TiedCases TiedCases;
     std::vector<vtkIdType> TiedTriangles;
     std::vector<vtkIdType> TiedSimplices;
     vtkExtractionReport Report;
@@ -434,7 +425,7 @@ private:
     {
       whole = total.Whole;
     }
-    this->Mesh.Allocate(total.Simplices, this->SimplexSize, total.Triangles,
+    this->Mesh.Allocate(total.Points, total.Simplices, this->SimplexSize, total.Triangles,
       this->Context.KeepCellIds, whole, 8 * whole);
     // A point is in the output unless its cells are blanked or its simplices have collapsed.
     const bool hasTies = std::any_of(
@@ -1021,41 +1012,6 @@ private:
       isInverted, item, slots[3], around.FirstCell + i);
   }
 
-  TiedCase& FindTiedCase(
-    Local& local, int item, const Code* codes, const vtkIsotable::Case& found) const
-  {
-    const auto& what = this->Values.GetItems()[item];
-    const int lower = 2 * what.Lower + 1;
-    const int upper = 2 * what.Upper + 1;
-    std::uint64_t key = static_cast<std::uint64_t>(item) + 1;
-    for (int v = 0; v < 8; ++v)
-    {
-      const int code = codes[v];
-      key = 8 * key +
-        static_cast<unsigned>((code >= lower) + (code > lower) + (code >= upper) + (code > upper));
-    }
-    constexpr int bits = 12;
-    local.TiedCases.resize(std::size_t(1) << bits);
-    TiedCase& tied = local.TiedCases[(key * 0x9E3779B97F4A7C15u) >> (64 - bits)];
-    if (tied.Key != key)
-    {
-      Slot same[vtkIsotable::MaximumNumberOfSlots];
-      std::iota(same, same + vtkIsotable::MaximumNumberOfSlots, Slot(0));
-      for (const Slot slot : found.Slots)
-      {
-        same[slot] = ExtractionCell::Identify(this->Table, what, codes, slot);
-      }
-      tied.Key = key;
-      tied.IsMerged = MergedCut::IsNeeded(found, same);
-      if (tied.IsMerged)
-      {
-        tied.Cut.Make(
-          this->Table, what, codes, found, this->Ranks, same, this->Context.GenerateBoundaries);
-      }
-    }
-    return tied;
-  }
-
   // Cuts a case where values equal isovalues: slots that are one point are made one before the case
   // is cut. Returns false where none are.
   template <bool Write>
@@ -1065,7 +1021,8 @@ private:
     const auto& what = this->Values.GetItems()[item];
     Code codes[8];
     this->GetCodes(around, i, codes);
-    TiedCase& tied = this->FindTiedCase(local, item, codes, found);
+    TiedCases::Tied& tied = local.TiedCases.Find(
+      this->Table, this->Ranks, what, item, codes, found, this->Context.GenerateBoundaries);
     if (!tied.IsMerged)
     {
       return false;
@@ -1153,6 +1110,10 @@ bool StructuredExtraction::Execute(
   context.Report->CellsVisited += beyond;
   context.Report->BlankedCells += beyond;
   const bool hasBlanking = context.HasBlanking() && !isBox;
+  if (!hasBlanking && RowContour::IsSuited(context))
+  {
+    return RowContour::Execute(context, dimensions, window, mesh);
+  }
   return context.Whole ? Extractor<true>(context, dimensions, window, hasBlanking, mesh).Execute()
                        : Extractor<false>(context, dimensions, window, hasBlanking, mesh).Execute();
 }

@@ -830,8 +830,8 @@ private:
       }
       this->Context.Report->Add(chunk.Report);
     }
-    this->Mesh.Allocate(
-      simplices, this->SimplexSize, triangles, this->Context.KeepCellIds, whole, wholeIds);
+    this->Mesh.Allocate(static_cast<vtkIdType>(this->Mesh.Points.GetSize()), simplices,
+      this->SimplexSize, triangles, this->Context.KeepCellIds, whole, wholeIds);
     if (!this->Points)
     {
       this->Mesh.Simplices.NumberConsecutively();

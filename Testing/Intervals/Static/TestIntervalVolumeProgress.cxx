@@ -20,8 +20,8 @@ using namespace reference;
 
 void CheckPrint(Check& check)
 {
-  const std::vector<std::string> report = { "Cells", "CellsVisited", "CellsWithOutput",
-    "LowerDimensionalCells", "NonFiniteCells", "BlankedCells", "LinearizedCells",
+  const std::vector<std::string> report = { "Cells", "CellsVisited", "CellsByBits",
+    "CellsWithOutput", "LowerDimensionalCells", "NonFiniteCells", "BlankedCells", "LinearizedCells",
     "ConcavePolyhedra", "UnsupportedCells", "CollapsedSimplices", "WholeCells", "WarpedFaces",
     "ArraysInterpolated", "ArraysCopied", "Passes", "WorkingBytes", "ReusedBytes", "IdleBytes" };
   vtkNew<vtkIntervalVolume> volume;
@@ -39,7 +39,8 @@ void CheckPrint(Check& check)
   contour->SetValue(1, 7.625);
   const std::string contourText = Print(contour);
   CheckPrinted(contourText, report, check);
-  CheckPrinted(contourText, { "OutputPointsPrecision", "MergePoints", "UseValueIndex", "6.375", "7.625" }, check);
+  CheckPrinted(contourText,
+    { "OutputPointsPrecision", "MergePoints", "UseValueIndex", "6.375", "7.625" }, check);
 }
 
 }

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_BitRows_h
+#define interlume_BitRows_h
+
+#include "Output/ExtractionBuffer.h"
+
+#include "vtkType.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace interlume
+{
+
+/**
+ * @class   BitRows
+ * @brief   what a contour of one value sees of a grid of rows: a bit for each grid point
+ *
+ * Rows begin at words of their own and end with a word of zeros, so that what lies in a word and
+ * beyond its end can be read as one.
+ */
+class BitRows
+{
+public:
+  using Word = std::uint32_t;
+  static constexpr int BitsOfWord = 32;
+
+  /// The bits of one row.
+  struct Row
+  {
+    /// Whether a value is not below the isovalue; so are those that are not finite.
+    Word* Above;
+    /// Whether it is equal to the isovalue.
+    Word* Ties;
+    /// Whether it is NaN or infinite.
+    Word* NonFinite;
+  };
+
+  /// Which bits, but Above, are set anywhere in some rows.
+  struct Kinds
+  {
+    bool Ties = false;
+    bool NonFinite = false;
+
+    bool IsAny() const { return this->Ties || this->NonFinite; }
+    void Add(const Kinds& other)
+    {
+      this->Ties |= other.Ties;
+      this->NonFinite |= other.NonFinite;
+    }
+  };
+
+  static vtkIdType GetNumberOfWords(vtkIdType points)
+  {
+    return (points + BitsOfWord - 1) / BitsOfWord;
+  }
+
+  /// Makes room for \a rows rows of \a points points; bits but Above are 0, and take no memory
+  /// before they are set.
+  void Allocate(vtkIdType rows, vtkIdType points)
+  {
+    this->Stride = GetNumberOfWords(points) + 1;
+    const auto words = static_cast<std::size_t>(rows * this->Stride);
+    this->Above.Allocate(words);
+    this->Ties.AllocateZeros(words);
+    this->NonFinite.AllocateZeros(words);
+    this->KindsOfRows.assign(rows, Kinds());
+  }
+
+  Row GetRow(vtkIdType row)
+  {
+    const vtkIdType first = row * this->Stride;
+    return { this->Above.GetData() + first, this->Ties.GetData() + first,
+      this->NonFinite.GetData() + first };
+  }
+  Kinds& GetKinds(vtkIdType row) { return this->KindsOfRows[row]; }
+
+  std::size_t GetBytes() const
+  {
+    std::size_t bytes = this->Above.GetBytes() + this->KindsOfRows.size() * sizeof(Kinds);
+    for (const Kinds& kinds : this->KindsOfRows)
+    {
+      bytes += this->Stride * sizeof(Word) * ((kinds.Ties ? 1 : 0) + (kinds.NonFinite ? 1 : 0));
+    }
+    return bytes;
+  }
+
+private:
+  vtkIdType Stride = 0;
+  ExtractionBuffer<Word> Above;
+  ExtractionBuffer<Word> Ties;
+  ExtractionBuffer<Word> NonFinite;
+  std::vector<Kinds> KindsOfRows;
+};
+
+}
+
+#endif

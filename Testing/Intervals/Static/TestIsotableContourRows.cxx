@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A contour of one value on grids of rows, which compares values as bits: the bytes and the report
+// of the way for any values, which a second value takes, beyond all. In image data, turned or not,
+// rectilinear and structured grids; with rows of all lengths around those of words, every type of
+// scalars, ties, values that are not finite; for any number of threads.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceThreads.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceLattice.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkIsotableContour.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <array>
+#include <cstring>
+#include <limits>
+#include <random>
+
+namespace
+{
+
+using namespace reference;
+using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
+
+Grid Contour(vtkDataSet* data, double value, bool addsValue, vtkExtractionReport& report)
+{
+  vtkNew<vtkIsotableContour> filter;
+  filter->SetInputData(data);
+  filter->SetValue(0, value);
+  if (addsValue)
+  {
+    filter->SetValue(1, 1e300);
+  }
+  filter->WarnOnEmptyOutputOff();
+  filter->Update();
+  report = filter->GetReport();
+  return filter->GetOutput();
+}
+
+void CompareBytes(vtkDataArray* a, vtkDataArray* b, const std::string& name, Check& check)
+{
+  if (!check.That(a && b, name) ||
+    !check.Equal(a->GetDataType(), b->GetDataType(), "type of " + name) ||
+    !check.Equal(a->GetNumberOfValues(), b->GetNumberOfValues(), "values of " + name))
+  {
+    return;
+  }
+  const auto bytes = static_cast<std::size_t>(a->GetNumberOfValues()) * a->GetDataTypeSize();
+  check.That(bytes == 0 || !std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0), bytes),
+    "bytes of " + name);
+}
+
+/// Compares both ways. Returns the number of triangles.
+vtkIdType Compare(vtkDataSet* data, double value, Check& check)
+{
+  vtkExtractionReport report;
+  vtkExtractionReport other;
+  const Grid quick = Contour(data, value, false, report);
+  const Grid any = Contour(data, value, true, other);
+  check.Equal(report.CellsByBits, data->GetNumberOfCells(), "cells compared as bits");
+  check.Equal(other.CellsByBits, 0, "cells compared as bits with two values");
+  check.Equal(report.CellsWithOutput, other.CellsWithOutput, "cells with output");
+  check.Equal(report.NonFiniteCells, other.NonFiniteCells, "cells that are not finite");
+  check.Equal(report.CollapsedSimplices, other.CollapsedSimplices, "collapsed triangles");
+  check.Equal(report.CellsVisited, data->GetNumberOfCells(), "cells visited");
+  check.Equal(quick->GetNumberOfCells(), any->GetNumberOfCells(), "triangles");
+  check.Equal(quick->GetNumberOfPoints(), any->GetNumberOfPoints(), "points");
+  if (quick->GetNumberOfCells() == 0 || any->GetNumberOfCells() == 0)
+  {
+    return 0;
+  }
+  CompareBytes(quick->GetPoints()->GetData(), any->GetPoints()->GetData(), "coordinates", check);
+  CompareBytes(quick->GetCells()->GetConnectivityArray(), any->GetCells()->GetConnectivityArray(),
+    "ids", check);
+  vtkDataSetAttributes* const ofQuick[] = { quick->GetPointData(), quick->GetCellData() };
+  vtkDataSetAttributes* const ofAny[] = { any->GetPointData(), any->GetCellData() };
+  for (int kind = 0; kind < 2; ++kind)
+  {
+    check.Equal(ofQuick[kind]->GetNumberOfArrays(), ofAny[kind]->GetNumberOfArrays(), "arrays");
+    for (int a = 0; a < ofAny[kind]->GetNumberOfArrays(); ++a)
+    {
+      const char* const name = ofAny[kind]->GetArrayName(a);
+      CompareBytes(ofQuick[kind]->GetArray(name), ofAny[kind]->GetArray(name), name, check);
+    }
+  }
+  return quick->GetNumberOfCells();
+}
+
+void SetScalars(vtkDataSet* data, int type, double most, unsigned int seed)
+{
+  std::minstd_rand random(seed);
+  const auto scalars = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
+  scalars->SetName("field");
+  scalars->SetNumberOfTuples(data->GetNumberOfPoints());
+  for (vtkIdType p = 0; p < data->GetNumberOfPoints(); ++p)
+  {
+    scalars->SetComponent(p, 0, most * static_cast<double>(random() % 1000) / 999.0);
+  }
+  data->GetPointData()->SetScalars(scalars);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("cells");
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    ids->InsertNextValue(3 * cell);
+  }
+  data->GetCellData()->AddArray(ids);
+}
+
+constexpr int Types[] = { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
+  VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG, VTK_FLOAT,
+  VTK_DOUBLE };
+
+/// Few whole numbers, of which many equal the isovalue, and values between.
+void CheckTypes(Check& check)
+{
+  const std::array<int, 3> sizes[] = { { { 2, 2, 2 } }, { { 31, 4, 3 } }, { { 32, 3, 4 } },
+    { { 33, 5, 5 } }, { { 34, 4, 2 } }, { { 64, 3, 3 } }, { { 65, 3, 3 } }, { { 97, 2, 6 } } };
+  for (const auto& size : sizes)
+  {
+    auto image = MakeImage(size);
+    for (int type : Types)
+    {
+      for (double most : { 2.0, 5.0, 100.0 })
+      {
+        SetScalars(image, type, most, static_cast<unsigned int>(size[0] + type));
+        for (double value : { 1.0, 1.5, most, 0.0, -1.0, 127.0, 1e30 })
+        {
+          check.SetContext("row " + std::to_string(size[0]) + ", type " + std::to_string(type) +
+            ", to " + std::to_string(most) + ", at " + std::to_string(value));
+          Compare(image, value, check);
+        }
+      }
+    }
+  }
+}
+
+void CheckGrids(Check& check)
+{
+  for (int type : { VTK_UNSIGNED_CHAR, VTK_FLOAT })
+  {
+    auto image = MakeImage({ 37, 9, 8 });
+    SetScalars(image, type, 4.0, 7);
+    for (const LatticeForm& form : FormsOf(image))
+    {
+      if (!vtkUnstructuredGrid::SafeDownCast(form.Data))
+      {
+        check.SetContext(form.Name);
+        SetScalars(form.Data, type, 4.0, 7);
+        check.That(Compare(form.Data, 2.0, check) > 500, "there are triangles");
+        check.That(Compare(form.Data, 2.5, check) > 500, "there are triangles");
+      }
+    }
+  }
+}
+
+/// One value that is equal to the isovalue, or is no number, at a time: most rows have none.
+void CheckFew(Check& check)
+{
+  for (double value : { 50.0, std::numeric_limits<double>::infinity(),
+         -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() })
+  {
+    auto image = MakeImage({ 40, 7, 7 });
+    SetScalars(image, VTK_DOUBLE, 99.5, 3);
+    for (vtkIdType p = 0; p < image->GetNumberOfPoints(); p += 131)
+    {
+      const double before = image->GetPointData()->GetScalars()->GetComponent(p, 0);
+      image->GetPointData()->GetScalars()->SetComponent(p, 0, value);
+      check.SetContext(std::to_string(value) + " at " + std::to_string(p));
+      check.That(Compare(image, 50.0, check) > 500, "there are triangles");
+      image->GetPointData()->GetScalars()->SetComponent(p, 0, before);
+    }
+  }
+}
+
+void CheckRuns(Check& check)
+{
+  for (double most : { 3.0, 97.3 })
+  {
+    auto image = MakeImage({ 50, 40, 30 });
+    SetScalars(image, VTK_FLOAT, most, 5);
+    if (most == 3.0)
+    {
+      SetScalars(image, VTK_UNSIGNED_CHAR, most, 5);
+    }
+    vtkExtractionReport report;
+    CheckThreads(
+      "to " + std::to_string(most),
+      [&] { return std::vector<Grid>{ Contour(image, 1.0, false, report) }; }, check);
+  }
+}
+
+/// What keeps a contour from it.
+void CheckUnsuited(Check& check)
+{
+  check.SetContext("several values");
+  auto image = MakeImage({ 9, 9, 9 });
+  SetScalars(image, VTK_FLOAT, 4.0, 7);
+  vtkNew<vtkIsotableContour> filter;
+  filter->SetInputData(image);
+  filter->SetValue(0, 1.25);
+  filter->SetValue(1, 2.25);
+  filter->Update();
+  check.Equal(filter->GetReport().CellsByBits, 0, "cells compared as bits");
+}
+
+}
+
+int TestIsotableContourRows(int, char*[])
+{
+  Check check;
+  CheckTypes(check);
+  CheckGrids(check);
+  CheckFew(check);
+  CheckRuns(check);
+  CheckUnsuited(check);
+  return check.Result();
+}
