@@ -76,7 +76,8 @@ void AddCellOrigins(const vtkIdType* cells, std::size_t number, vtkCellData* out
 }
 }
 
-bool Extraction::ExtractMesh(ExtractionContext& context, ExtractionMesh& mesh)
+bool Extraction::ExtractMesh(
+  ExtractionContext& context, ExtractionMesh& mesh, std::optional<PointArrays>& arrays)
 {
   int dimensions[3];
   const bool hasRows = ExtractionArrays::GetRowDimensions(context.Input, dimensions);
@@ -100,6 +101,11 @@ bool Extraction::ExtractMesh(ExtractionContext& context, ExtractionMesh& mesh)
   }
   if (hasRows)
   {
+    if (this->SharePoints && RowContour::IsSuited(context))
+    {
+      arrays.emplace(context.Input, this->OutputPointsPrecision);
+      context.Arrays = arrays->AreNumbers() ? &*arrays : nullptr;
+    }
     return StructuredExtraction::Execute(context, dimensions, mesh);
   }
   context.TakeDuplicates = GhostCells::AreTied(context);
@@ -160,16 +166,9 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   }
 
   std::optional<PointArrays> arrays;
-  if (this->SharePoints && RowContour::IsSuited(context) &&
-    ExtractionArrays::GetRowDimensions(context.Input, dimensions))
-  {
-    arrays.emplace(context.Input, this->OutputPointsPrecision);
-    context.Arrays = arrays->AreNumbers() ? &*arrays : nullptr;
-  }
-
   ExtractionMesh mesh;
   mesh.HasSeveralItems = this->Values->GetItems().size() > 1;
-  if (!this->ExtractMesh(context, mesh))
+  if (!this->ExtractMesh(context, mesh, arrays))
   {
     return false;
   }
@@ -201,7 +200,7 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
     ExtractionCleanup::SplitPoints(mesh);
   }
   const vtkSmartPointer<vtkPoints> points = isSoup ? soup->GetPoints()
-    : arrays && arrays->IsAllocated()
+    : hasArrays
     ? arrays->GetPoints()
     : ExtractionArrays::MakePoints(context.Input, mesh.Points, this->OutputPointsPrecision);
   if (this->Whole)

@@ -4,6 +4,8 @@
 
 #include "Static/ExtractionContext.h"
 
+#include <optional>
+
 class vtkUnstructuredGrid;
 
 namespace interlume
@@ -48,7 +50,8 @@ public:
     vtkUnstructuredGrid* boundary, vtkExtractionReport& report);
 
 private:
-  bool ExtractMesh(ExtractionContext& context, ExtractionMesh& mesh);
+  bool ExtractMesh(
+    ExtractionContext& context, ExtractionMesh& mesh, std::optional<PointArrays>& arrays);
   void FillOutput(const ExtractionContext& context, ExtractionMesh& mesh, vtkDataSet* original,
     vtkUnstructuredGrid* output) const;
   void FillBoundary(const ExtractionMesh& mesh, vtkDataSet* original, vtkUnstructuredGrid* output,

@@ -16,6 +16,7 @@
 #include "vtkIsotableContour.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <array>
@@ -160,6 +161,42 @@ void CheckGrids(Check& check)
   }
 }
 
+/// A left-handed image, and one with an array that is not of numbers, which needs the list of
+/// points.
+void CheckKinds(Check& check)
+{
+  check.SetContext("left-handed");
+  auto image = MakeImage({ 37, 9, 8 });
+  SetScalars(image, VTK_FLOAT, 4.0, 7);
+  image->SetDirectionMatrix(-1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0);
+  check.That(Compare(image, 2.0, check) > 500, "there are triangles");
+  check.SetContext("strings");
+  vtkNew<vtkStringArray> strings;
+  strings->SetName("strings");
+  for (vtkIdType p = 0; p < image->GetNumberOfPoints(); ++p)
+  {
+    strings->InsertNextValue("point " + std::to_string(p));
+  }
+  image->GetPointData()->AddArray(strings);
+  for (double value : { 2.0, 2.5 })
+  {
+    vtkExtractionReport report;
+    const Grid quick = Contour(image, value, false, report);
+    const Grid any = Contour(image, value, true, report);
+    auto* const ofQuick =
+      vtkStringArray::SafeDownCast(quick->GetPointData()->GetAbstractArray("strings"));
+    auto* const ofAny =
+      vtkStringArray::SafeDownCast(any->GetPointData()->GetAbstractArray("strings"));
+    bool areEqual = check.That(ofQuick && ofAny, "strings") &&
+      check.Equal(ofQuick->GetNumberOfValues(), any->GetNumberOfPoints(), "strings");
+    for (vtkIdType p = 0; areEqual && p < any->GetNumberOfPoints(); ++p)
+    {
+      areEqual = ofQuick->GetValue(p) == ofAny->GetValue(p);
+    }
+    check.That(areEqual, "strings are equal");
+  }
+}
+
 /// One value that is equal to the isovalue, or is no number, at a time: most rows have none.
 void CheckFew(Check& check)
 {
@@ -217,6 +254,7 @@ int TestIsotableContourRows(int, char*[])
   Check check;
   CheckTypes(check);
   CheckGrids(check);
+  CheckKinds(check);
   CheckFew(check);
   CheckRuns(check);
   CheckUnsuited(check);
