@@ -14,6 +14,13 @@ namespace reference
 RgbaPicture DrawFlow(vtkImplicitFlowVolumeMapper* mapper, vtkImageData* voxels,
   const FlowScene& scene, vtkVolumeProperty* property = nullptr);
 
+/// Voxels of two termination surfaces, 0 and 8, with the arrays Speed, and Ways of three
+/// components.
+vtkSmartPointer<vtkImageData> MakeTwoFlows();
+
+/// Paint whose red goes up and down along u, \a frequency radians in all.
+vtkSmartPointer<vtkImageData> MakeStripes(double frequency, double alpha);
+
 }
 
 #endif

@@ -9,7 +9,7 @@
 #include "Reference/Checks/ReferenceRandom.h"
 
 #include "vtkCamera.h"
-#include "vtkFloatArray.h"
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkNew.h"
@@ -29,39 +29,6 @@ namespace
 {
 
 using namespace reference;
-
-FlowEnd TwoSurfaces(const Place3& x)
-{
-  const bool isLeft = x[0] < 0.1;
-  return { x[1] < 0.35, isLeft ? 0 : 8, x[1] + 0.5, x[2] + 0.5, isLeft ? x[0] + 0.6 : x[0] };
-}
-
-vtkSmartPointer<vtkImageData> MakeVoxels()
-{
-  vtkSmartPointer<vtkImageData> voxels = MakeFlowVoxels(13, &TwoSurfaces, { { { 8, 1, 0 } } });
-  vtkNew<vtkFloatArray> speed;
-  speed->SetName("Speed");
-  vtkNew<vtkFloatArray> ways;
-  ways->SetName("Ways");
-  ways->SetNumberOfComponents(3);
-  for (vtkIdType i = 0; i < voxels->GetNumberOfPoints(); ++i)
-  {
-    const double* x = voxels->GetPoint(i);
-    speed->InsertNextValue(static_cast<float>(x[0] * x[0] + x[2]));
-    ways->InsertNextTuple3(1.0, x[1], -x[0]);
-  }
-  voxels->GetPointData()->AddArray(speed);
-  voxels->GetPointData()->AddArray(ways);
-  return voxels;
-}
-
-vtkSmartPointer<vtkImageData> MakeStripes(double frequency, double alpha)
-{
-  return MakePaint(33, 17,
-    [=](double u, double v) {
-      return Color4{ { 0.5 + 0.5 * std::sin(frequency * u), v, 0.3, alpha } };
-    });
-}
 
 vtkSmartPointer<vtkImageData> MakeBlock()
 {
@@ -84,7 +51,7 @@ struct Show
 {
   Show()
     : Stage(std::array<int, 2>{ { 40, 40 } })
-    , Voxels(MakeVoxels())
+    , Voxels(MakeTwoFlows())
   {
     this->Camera = LookAt({ { 0.0, 0.0, 0.0 } }, 0.87, { { -0.4, 0.6, -0.9 } }, false);
     this->Gate->AddPoint(0.0, 1.0);

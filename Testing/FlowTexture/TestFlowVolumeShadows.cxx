@@ -11,7 +11,6 @@
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
-#include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkImplicitFlowVolumeMapper.h"
@@ -229,45 +228,12 @@ void TestFormula(Check& check)
   }
 }
 
-FlowEnd TwoSurfaces(const Place3& x)
-{
-  const bool isLeft = x[0] < 0.1;
-  return { x[1] < 0.35, isLeft ? 0 : 8, x[1] + 0.5, x[2] + 0.5, isLeft ? x[0] + 0.6 : x[0] };
-}
-
-vtkSmartPointer<vtkImageData> MakeVoxels()
-{
-  vtkSmartPointer<vtkImageData> voxels = MakeFlowVoxels(13, &TwoSurfaces, { { { 8, 1, 0 } } });
-  vtkNew<vtkFloatArray> speed;
-  speed->SetName("Speed");
-  vtkNew<vtkFloatArray> ways;
-  ways->SetName("Ways");
-  ways->SetNumberOfComponents(3);
-  for (vtkIdType i = 0; i < voxels->GetNumberOfPoints(); ++i)
-  {
-    const double* x = voxels->GetPoint(i);
-    speed->InsertNextValue(static_cast<float>(x[0] * x[0] + x[2]));
-    ways->InsertNextTuple3(1.0, x[1], -x[0]);
-  }
-  voxels->GetPointData()->AddArray(speed);
-  voxels->GetPointData()->AddArray(ways);
-  return voxels;
-}
-
-vtkSmartPointer<vtkImageData> MakeStripes(double frequency, double alpha)
-{
-  return MakePaint(33, 17,
-    [=](double u, double v) {
-      return Color4{ { 0.5 + 0.5 * std::sin(frequency * u), v, 0.3, alpha } };
-    });
-}
-
 /// A mapper, what it is set to by numbers from 0 to 1, and a stage that draws it.
 struct Show
 {
   Show()
     : Stage(std::array<int, 2>{ { 40, 40 } })
-    , Voxels(MakeVoxels())
+    , Voxels(MakeTwoFlows())
     , Lights{ MakeLight({ { 0.3, 2.0, 0.4 } }, false), MakeLight({ { 0.5, 0.2, 1.0 } }, true) }
   {
     this->Camera = LookAt({ { 0.0, 0.0, 0.0 } }, 0.87, { { -0.4, 0.6, -0.9 } }, false);

@@ -30,7 +30,13 @@ PieceOrder::PieceOrder(const std::vector<Box>& boxes)
   // Boxes without content hide nothing, wherever they come.
   Node last;
   last.Boxes = empty;
-  this->Nodes.push_back(last);
+  this->Last = this->Add(last);
+}
+
+int PieceOrder::Add(const Node& node)
+{
+  this->Nodes.push_back(node);
+  return static_cast<int>(this->Nodes.size()) - 1;
 }
 
 int PieceOrder::Build(const std::vector<Box>& boxes, std::vector<int> members)
@@ -39,8 +45,7 @@ int PieceOrder::Build(const std::vector<Box>& boxes, std::vector<int> members)
   if (members.size() < 2)
   {
     node.Boxes = members;
-    this->Nodes.push_back(node);
-    return static_cast<int>(this->Nodes.size()) - 1;
+    return this->Add(node);
   }
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -77,16 +82,14 @@ int PieceOrder::Build(const std::vector<Box>& boxes, std::vector<int> members)
         node.Plane = 0.5 * (reached + next[i]);
         node.Lower = this->Build(boxes, { members.begin(), middle });
         node.Upper = this->Build(boxes, { middle, members.end() });
-        this->Nodes.push_back(node);
-        return static_cast<int>(this->Nodes.size()) - 1;
+        return this->Add(node);
       }
       reached = std::max(reached, upper(members[i]));
     }
   }
   this->Possible = false;
   node.Boxes = members;
-  this->Nodes.push_back(node);
-  return static_cast<int>(this->Nodes.size()) - 1;
+  return this->Add(node);
 }
 
 void PieceOrder::Append(int node, const std::array<double, 4>& eye, std::vector<int>& order) const
@@ -106,7 +109,7 @@ std::vector<int> PieceOrder::Compute(const std::array<double, 4>& eye) const
 {
   std::vector<int> order;
   this->Append(this->Root, eye, order);
-  this->Append(static_cast<int>(this->Nodes.size()) - 1, eye, order);
+  this->Append(this->Last, eye, order);
   return order;
 }
 

@@ -46,12 +46,16 @@ private:
     std::vector<int> Boxes;
   };
 
+  /// Returns the index of the node that it adds, as Build does of the topmost.
+  int Add(const Node& node);
   int Build(const std::vector<Box>& boxes, std::vector<int> members);
   void Append(int node, const std::array<double, 4>& eye, std::vector<int>& order) const;
 
   bool Possible = true;
   std::vector<Node> Nodes;
   int Root = -1;
+  /// The leaf of the boxes without content.
+  int Last = -1;
 };
 
 }

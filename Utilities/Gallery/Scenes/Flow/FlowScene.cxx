@@ -58,6 +58,18 @@ vtkSmartPointer<vtkAnalyticFlowSource> MakeAnalyticFlow(int field, const FlowLat
   return source;
 }
 
+vtkSmartPointer<vtkAnalyticFlowSource> MakeUprightHurricane()
+{
+  const vtkSmartPointer<vtkAnalyticFlowSource> hurricane = MakeAnalyticFlow(
+    vtkAnalyticFlowSource::HURRICANE, { { 45, 45, 19 }, { -1.3, 1.3, -1.3, 1.3, -0.5, 0.5 } });
+  hurricane->SetHeight(1.0);
+  hurricane->SetMaximumWind(0.5);
+  hurricane->SetUpdraft(0.5);
+  hurricane->SetAxisTilt(0.0, 0.0);
+  hurricane->SetAxisBend(0.0, 0.0);
+  return hurricane;
+}
+
 vtkSmartPointer<vtkDataSet> MakeImplicitFlow(vtkAlgorithm* field,
   const std::vector<vtkTerminationSurface*>& surfaces, const FlowLattice& samples, double time)
 {

@@ -41,6 +41,11 @@ struct FlowLattice
 vtkSmartPointer<vtkAnalyticFlowSource> MakeAnalyticFlow(int field, const FlowLattice& lattice);
 
 /**
+ * A hurricane around the z axis, as high as its lattice.
+ */
+vtkSmartPointer<vtkAnalyticFlowSource> MakeUprightHurricane();
+
+/**
  * The points of a lattice advected back to the first of the surfaces that they meet, through the
  * active vectors of \a field, for no more than \a time.
  */

@@ -54,13 +54,7 @@ vtkSmartPointer<vtkImageData> MakeMap()
 
 void Build(gallery::Stage& stage)
 {
-  const vtkSmartPointer<vtkAnalyticFlowSource> hurricane = gallery::MakeAnalyticFlow(
-    vtkAnalyticFlowSource::HURRICANE, { { 45, 45, 19 }, { -1.3, 1.3, -1.3, 1.3, -0.5, 0.5 } });
-  hurricane->SetHeight(1.0);
-  hurricane->SetMaximumWind(0.5);
-  hurricane->SetUpdraft(0.5);
-  hurricane->SetAxisTilt(0.0, 0.0);
-  hurricane->SetAxisBend(0.0, 0.0);
+  const vtkSmartPointer<vtkAnalyticFlowSource> hurricane = gallery::MakeUprightHurricane();
   vtkNew<vtkTerminationCylinder> eye;
   eye->SetPoint1(0.0, 0.0, -0.5);
   eye->SetPoint2(0.0, 0.0, 0.5);

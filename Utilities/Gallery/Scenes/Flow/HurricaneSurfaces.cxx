@@ -24,13 +24,7 @@ namespace
 {
 void Build(gallery::Stage& stage)
 {
-  const vtkSmartPointer<vtkAnalyticFlowSource> hurricane = gallery::MakeAnalyticFlow(
-    vtkAnalyticFlowSource::HURRICANE, { { 45, 45, 19 }, { -1.3, 1.3, -1.3, 1.3, -0.5, 0.5 } });
-  hurricane->SetHeight(1.0);
-  hurricane->SetMaximumWind(0.5);
-  hurricane->SetUpdraft(0.5);
-  hurricane->SetAxisTilt(0.0, 0.0);
-  hurricane->SetAxisBend(0.0, 0.0);
+  const vtkSmartPointer<vtkAnalyticFlowSource> hurricane = gallery::MakeUprightHurricane();
   // Air comes in through the lower part of the rim.
   vtkNew<vtkTerminationCylinder> rim;
   rim->SetPoint1(0.0, 0.0, -0.5);
