@@ -9,11 +9,9 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODVolume.h"
-#include "vtkPVView.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkTexture.h"
-#include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -177,24 +175,9 @@ int vtkInflowTextureRepresentation::RequestData(
   return this->Superclass::RequestData(request, nothingVectors, outputVector);
 }
 
-int vtkInflowTextureRepresentation::ProcessViewRequest(
-  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
-{
-  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
-  {
-    return 0;
-  }
-  if (request == vtkPVView::REQUEST_UPDATE())
-  {
-    this->CroppingBox.Gather(this->DataBounds);
-  }
-  return 1;
-}
-
 void vtkInflowTextureRepresentation::UpdateMapperParameters()
 {
   this->Superclass::UpdateMapperParameters();
-  this->CroppingBox.Apply(this->VolumeMapper, this->CroppingOrigin, this->CroppingScale);
   // ParaView's volume draws nothing unless the mapper has an array that is there; this mapper takes
   // its arrays by their names, and says itself which of them are missing.
   this->Mapper->SetScalarModeToUsePointFieldData();

@@ -3,8 +3,7 @@
 #define vtkInflowTextureRepresentation_h
 
 #include "InterlumeRepresentationsModule.h" // for the export macro
-#include "vtkCroppingBox.h"                 // for the box
-#include "vtkImageVolumeRepresentation.h"
+#include "vtkCroppedVolumeRepresentation.h"
 #include "vtkNew.h"          // for the mapper
 #include "vtkSmartPointer.h" // for textures
 
@@ -27,11 +26,11 @@ class vtkTexture;
  * order.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkInflowTextureRepresentation
-  : public vtkImageVolumeRepresentation
+  : public vtkCroppedVolumeRepresentation
 {
 public:
   static vtkInflowTextureRepresentation* New();
-  vtkTypeMacro(vtkInflowTextureRepresentation, vtkImageVolumeRepresentation);
+  vtkTypeMacro(vtkInflowTextureRepresentation, vtkCroppedVolumeRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -90,9 +89,6 @@ public:
   void SetImageSampleDistance(double distance);
   ///@}
 
-  int ProcessViewRequest(
-    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
-
 protected:
   vtkInflowTextureRepresentation();
   ~vtkInflowTextureRepresentation() override;
@@ -105,7 +101,6 @@ private:
   vtkInflowTextureRepresentation(const vtkInflowTextureRepresentation&) = delete;
   void operator=(const vtkInflowTextureRepresentation&) = delete;
 
-  vtkCroppingBox CroppingBox;
   vtkNew<vtkImplicitFlowVolumeMapper> Mapper;
   vtkNew<vtkPiecewiseFunction> Gate;
   vtkNew<vtkPiecewiseFunction> Opacity;

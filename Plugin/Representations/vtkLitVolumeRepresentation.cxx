@@ -9,7 +9,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
 #include "vtkTexture.h"
-#include "vtkVolumeMapper.h"
 
 vtkStandardNewMacro(vtkLitVolumeRepresentation);
 
@@ -183,24 +182,9 @@ bool vtkLitVolumeRepresentation::RemoveFromView(vtkView* view)
   return this->Superclass::RemoveFromView(view);
 }
 
-int vtkLitVolumeRepresentation::ProcessViewRequest(
-  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
-{
-  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
-  {
-    return 0;
-  }
-  if (request == vtkPVView::REQUEST_UPDATE())
-  {
-    this->CroppingBox.Gather(this->DataBounds);
-  }
-  return 1;
-}
-
 void vtkLitVolumeRepresentation::UpdateMapperParameters()
 {
   this->Superclass::UpdateMapperParameters();
-  this->CroppingBox.Apply(this->VolumeMapper, this->CroppingOrigin, this->CroppingScale);
   this->Projector->SetImage(vtkTextureImage(this->ProjectorImage));
   this->Lamp->SetEmitter(vtkTextureImage(this->LampImage));
 }

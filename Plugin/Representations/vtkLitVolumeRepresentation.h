@@ -3,8 +3,7 @@
 #define vtkLitVolumeRepresentation_h
 
 #include "InterlumeRepresentationsModule.h" // for the export macro
-#include "vtkCroppingBox.h"                 // for the box
-#include "vtkImageVolumeRepresentation.h"
+#include "vtkCroppedVolumeRepresentation.h"
 #include "vtkNew.h"          // for the lights
 #include "vtkSmartPointer.h" // for the textures
 
@@ -24,11 +23,11 @@ class vtkTexture;
  * @sa vtkShadowedSliceRepresentation vtkProjectiveLight vtkAreaLight
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkLitVolumeRepresentation
-  : public vtkImageVolumeRepresentation
+  : public vtkCroppedVolumeRepresentation
 {
 public:
   static vtkLitVolumeRepresentation* New();
-  vtkTypeMacro(vtkLitVolumeRepresentation, vtkImageVolumeRepresentation);
+  vtkTypeMacro(vtkLitVolumeRepresentation, vtkCroppedVolumeRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -85,8 +84,6 @@ public:
    */
   void SetAreaLightShadows(bool shadows);
 
-  int ProcessViewRequest(
-    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
   void SetVisibility(bool visible) override;
 
 protected:
@@ -104,7 +101,6 @@ private:
   /// Switches the lights.
   void UpdateLights();
 
-  vtkCroppingBox CroppingBox;
   vtkNew<vtkProjectiveLight> Projector;
   vtkNew<vtkAreaLight> Lamp;
   vtkSmartPointer<vtkTexture> ProjectorImage;

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCroppedVolumeRepresentation.h"
+
+#include "vtkCommunicator.h"
+#include "vtkMath.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVView.h"
+#include "vtkVolumeMapper.h"
+
+vtkStandardNewMacro(vtkCroppedVolumeRepresentation);
+
+vtkCroppedVolumeRepresentation::vtkCroppedVolumeRepresentation() = default;
+
+vtkCroppedVolumeRepresentation::~vtkCroppedVolumeRepresentation() = default;
+
+int vtkCroppedVolumeRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0;
+  }
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    this->GatherBounds();
+  }
+  return 1;
+}
+
+void vtkCroppedVolumeRepresentation::GatherBounds()
+{
+  this->WholeBounds.Reset();
+  // A process without a piece has bounds that are upside down.
+  if (vtkMath::AreBoundsInitialized(this->DataBounds))
+  {
+    this->WholeBounds.SetBounds(this->DataBounds);
+  }
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (controller && controller->GetNumberOfProcesses() > 1)
+  {
+    const vtkBoundingBox own = this->WholeBounds;
+    double lower[3];
+    double upper[3];
+    controller->AllReduce(own.GetMinPoint(), lower, 3, vtkCommunicator::MIN_OP);
+    controller->AllReduce(own.GetMaxPoint(), upper, 3, vtkCommunicator::MAX_OP);
+    this->WholeBounds.SetBounds(lower[0], upper[0], lower[1], upper[1], lower[2], upper[2]);
+  }
+}
+
+void vtkCroppedVolumeRepresentation::UpdateMapperParameters()
+{
+  this->Superclass::UpdateMapperParameters();
+  if (!this->VolumeMapper->GetCropping())
+  {
+    return;
+  }
+  double bounds[6];
+  if (this->WholeBounds.IsValid())
+  {
+    this->WholeBounds.GetBounds(bounds);
+  }
+  else
+  {
+    // No piece is known in a client that draws what servers have.
+    this->VolumeMapper->GetBounds(bounds);
+  }
+  double planes[6];
+  for (int i = 0; i < 6; ++i)
+  {
+    planes[i] = this->CroppingOrigin[i / 2] + bounds[i] * this->CroppingScale[i / 2];
+  }
+  this->VolumeMapper->SetCroppingRegionPlanes(planes);
+}
+
+void vtkCroppedVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  double bounds[6];
+  this->WholeBounds.GetBounds(bounds);
+  os << indent << "WholeBounds: " << bounds[0] << ", " << bounds[1] << ", " << bounds[2] << ", "
+     << bounds[3] << ", " << bounds[4] << ", " << bounds[5] << "\n";
+}
