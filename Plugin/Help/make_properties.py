@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """make_properties.py PAGE XML...: writes the page of the guide with the properties of the plugin's filters,
-sources, termination surfaces and representations, from the XML files that ParaView reads.
+sources, termination surfaces, writers and representations, from the XML files that ParaView reads.
 
 With --check before PAGE: fails where the page is not what would be written.
 """
@@ -11,7 +11,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 GROUPS = {"filters": "Filters", "sources": "Sources", "termination_surfaces": "Termination surfaces",
-          "representations": "Representations"}
+          "writers": "Writers", "representations": "Representations"}
 HEAD = """# Properties in ParaView
 
 What the plugin's XML says of each property, written by `Plugin/Help/make_properties.py`. In Python a property has
@@ -46,8 +46,10 @@ def is_shown(element):
 
 
 def section(proxy, inherited):
+    own = {item.get("name") for item in proxy if item.get("name")}
+    items = [item for item in inherited if item.get("name") not in own] + list(proxy)
     rows = [f"| {label_of(item)} | {default_of(item)} | {words(item.find('Documentation'))} |"
-            for item in [*inherited, *proxy] if is_shown(item)]
+            for item in items if is_shown(item)]
     if not rows:
         return []
     return ["", f"### {label_of(proxy)}", "", words(proxy.find("Documentation")), "",

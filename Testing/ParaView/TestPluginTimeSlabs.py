@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Save Data offers slabs of interval volumes for data with time steps, and writes what the filter extracts."""
+
+import os
+import shutil
+import sys
+
+import numpy
+from paraview import servermanager, simple
+
+from plugin_testing import Checks, as_set, fetch, leaves, load_plugin, simplices, temporal_source
+
+KIND = "Interlume Slabs of Interval Volumes"
+
+
+def kinds_for(proxy):
+    """What Save Data offers for the output of a proxy."""
+    factory = servermanager.vtkSMProxyManager.GetProxyManager().GetWriterFactory()
+    return factory.GetSupportedFileTypes(proxy.SMProxy, 0)
+
+
+def all_simplices(parts):
+    return as_set(numpy.concatenate([simplices(part) for part in parts]))
+
+
+def main():
+    folder = sys.argv[1]
+    shutil.rmtree(folder, ignore_errors=True)
+    os.makedirs(folder)
+    load_plugin()
+    checks = Checks()
+    field = temporal_source("AnalyticField", {"Field": "Wave", "WholeExtent": [0, 15, 0, 7, 0, 7]})
+    checks.that(KIND in kinds_for(field), "Save Data offers slabs")
+    spheres = simple.GroupDatasets(Input=[simple.Sphere(), simple.Sphere()])
+    spheres.UpdatePipeline()
+    checks.that(KIND not in kinds_for(spheres), "Save Data offers no slabs of composite data")
+
+    low, high = field.PointData.GetArray(0).GetRange()
+    writer = simple.CreateWriter(os.path.join(folder, "proposed.vtm"), field)
+    checks.equal(writer.SMProxy.GetXMLName(), "TimeSlabWriter", "the writer of slabs")
+    for value, expected, what in zip(writer.Intervals, (0.5 * (low + high), high), ("lower", "upper")):
+        checks.close(value, expected, 1e-12, f"{what} value proposed")
+
+    for name, settings in (("proposed", {}),
+                           ("chosen", {"Intervals": [-0.5, 0.25, 0.25, 1.0], "TimeStepRange": [0, 1]})):
+        path = os.path.join(folder, f"{name}.vtm")
+        simple.SaveData(path, proxy=field, **settings)
+        expected = simple.TimeVaryingIntervalVolume(Input=field, **{"Intervals": writer.Intervals, **settings})
+        parts = list(leaves(fetch(simple.OpenDataFile(path))))
+        last = min(expected.TimeStepRange[1], len(field.TimestepValues) - 1)
+        checks.equal(len(parts), last, f"slabs of {name}")
+        whole = fetch(expected)
+        checks.that(whole.GetNumberOfCells() > 0, f"{name} gives tetrahedra")
+        checks.that(numpy.array_equal(all_simplices(parts), all_simplices([whole])),
+                    f"{name} has the filter's tetrahedra")
+    checks.finish()
+
+
+main()
