@@ -7,6 +7,8 @@
 #include "Static/CrossingLists.h"
 #include "TimeVarying/SimplexSliceTable.h"
 #include "TimeVarying/SliceChunk.h"
+#include "TimeVarying/SliceFaces.h"
+#include "TimeVarying/SlicedSimplex.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -27,78 +29,24 @@ namespace interlume
 namespace
 {
 using Code = ExtractionValues::Code;
+using Meeting = SliceMeeting;
 using Slot = vtkIsotable::Slot;
 using Case = SimplexSliceTable::Slice;
 using Parts = vtkTimeVaryingSettings::PartsAtStep;
 
-constexpr int SimplexSize = 5;
-// The codes of one value.
-constexpr Code AtValue = 1;
-constexpr Code AboveValue = 2;
-// Codes, with that of values that are not finite, have so many bits.
-constexpr int CodeBits = 2;
-
-constexpr std::array<std::array<int, 2>, 9> SortingNetwork = { { { { 0, 3 } }, { { 1, 4 } },
-  { { 0, 2 } }, { { 1, 3 } }, { { 0, 1 } }, { { 2, 4 } }, { { 1, 2 } }, { { 3, 4 } },
-  { { 2, 3 } } } };
-
-// The ways in which a 4-simplex meets the value.
-enum class Meeting
-{
-  None,
-  Crosses,
-  // The 4-simplex crosses with one vertex below and four at the value.
-  Ends,
-  // Four vertices are at the value and one is above.
-  Begins,
-  // All are at the value: a tetrahedron whose last point is there twice.
-  Lies
-};
-
-// A tetrahedron at the value.
-struct Face
-{
-  // Its points in the global order.
-  std::array<vtkIdType, 4> Ids;
-  vtkIdType Interval;
-  Meeting How;
-
-  bool operator<(const Face& other) const { return this->Ids < other.Ids; }
-};
-using FaceRange = std::pair<std::vector<Face>::const_iterator, std::vector<Face>::const_iterator>;
-
-// A 4-simplex, its vertices in the global order.
-struct Simplex
-{
-  vtkIdType Ids[SimplexSize];
-  Code Codes[SimplexSize];
-  bool IsInverted;
-};
-
-// A point of the slice: its owner, and its key there.
-struct Point
-{
-  vtkIdType Owner;
-  CrossingKey Key;
-
-  bool operator==(const Point& other) const
-  {
-    return this->Owner == other.Owner && this->Key == other.Key;
-  }
-};
+constexpr int SimplexSize = SlicedSimplex::Size;
+constexpr Code AtValue = SlicedSimplex::AtValue;
+constexpr Code AboveValue = SlicedSimplex::AboveValue;
 
 // The result of the counting pass for a chunk of cells, which the writing pass uses.
-struct Chunk : SliceChunk
+struct Chunk : SliceFaces::Chunk
 {
-  // The tetrahedra at the value, in the order of the cells, and which of the chunk's they are.
-  std::vector<Face> Faces;
-  std::vector<std::size_t> Places;
   // The place of the first tetrahedron in the slice.
   vtkIdType First = 0;
   vtkIdType WrongCell = -1;
 };
 
-bool IsCollapsed(const vtkIsotable::Simplex& tetrahedron, const Point* points)
+bool IsCollapsed(const vtkIsotable::Simplex& tetrahedron, const SlicePoint* points)
 {
   for (int a = 0; a < 4; ++a)
   {
@@ -197,10 +145,14 @@ private:
       return true;
     }
     this->Codes.Free();
-    const std::vector<Face> faces = this->GatherFaces();
-    if (std::any_of(
-          faces.begin(), faces.end(), [](const Face& face) { return face.How != Meeting::Ends; }) &&
-      !forEachChunk(0.4, 0.5, [&](vtkIdType chunk) { LeaveOutGiven(faces, this->Chunks[chunk]); }))
+    SliceFaces faces;
+    for (const Chunk& chunk : this->Chunks)
+    {
+      faces.Add(chunk);
+    }
+    faces.Sort();
+    if (faces.HasGiven() &&
+      !forEachChunk(0.4, 0.5, [&](vtkIdType chunk) { faces.LeaveOutGiven(this->Chunks[chunk]); }))
     {
       return false;
     }
@@ -236,10 +188,10 @@ private:
         continue;
       }
       const std::uint16_t position = static_cast<std::uint16_t>(cell - begin);
-      Simplex simplex;
-      if (hasTies || !this->Order.IsById() || !SortById(ids, codes, simplex))
+      SlicedSimplex simplex;
+      if (hasTies || !this->Order.IsById() || !simplex.SortById(ids, codes))
       {
-        simplex = this->Sort(ids, codes, meeting);
+        simplex.Sort(ids, codes, this->Order, meeting);
         this->CountTied(position, simplex, meeting, this->GetInterval(cell), chunk, builder, arena);
       }
       else
@@ -292,108 +244,42 @@ private:
                         : Parts::FACES_AT_STEP;
   }
 
-  // Sorts a 4-simplex where the order is that of the ids; returns false where two are equal.
-  template <typename Id>
-  static bool SortById(const Id* ids, const Code* codes, Simplex& simplex)
-  {
-    std::uint64_t keys[SimplexSize];
-    for (int v = 0; v < SimplexSize; ++v)
-    {
-      keys[v] = (static_cast<std::uint64_t>(ids[v]) << CodeBits) | codes[v];
-    }
-    // A network of exchanges has no branches, which could not be predicted.
-    bool isOdd = false;
-    for (const auto& [a, b] : SortingNetwork)
-    {
-      const std::uint64_t first = keys[a];
-      const std::uint64_t second = keys[b];
-      const bool isTurned = second < first;
-      keys[a] = isTurned ? second : first;
-      keys[b] = isTurned ? first : second;
-      isOdd ^= isTurned;
-    }
-    bool isDistinct = true;
-    for (int v = 0; v < SimplexSize; ++v)
-    {
-      simplex.Ids[v] = static_cast<vtkIdType>(keys[v] >> CodeBits);
-      simplex.Codes[v] = static_cast<Code>(keys[v] & ((1u << CodeBits) - 1));
-      isDistinct &= v == 0 || keys[v - 1] != keys[v];
-    }
-    simplex.IsInverted = isOdd;
-    return isDistinct;
-  }
-
-  template <typename Id>
-  Simplex Sort(const Id* stored, const Code* codes, Meeting meeting) const
-  {
-    vtkIdType ids[SimplexSize];
-    std::copy_n(stored, SimplexSize, ids);
-    Slot ranks[SimplexSize];
-    this->Order.Rank(ids, SimplexSize, ranks);
-    Simplex simplex{};
-    for (int v = 0; v < SimplexSize; ++v)
-    {
-      simplex.Ids[ranks[v]] = ids[v];
-      simplex.Codes[ranks[v]] = codes[v];
-      for (int before = 0; before < v; ++before)
-      {
-        simplex.IsInverted ^= ranks[before] > ranks[v];
-      }
-    }
-    if (meeting == Meeting::Lies)
-    {
-      // As if a 4-simplex began with the tetrahedron.
-      simplex.Codes[ranks[SimplexSize - 1]] = AboveValue;
-    }
-    return simplex;
-  }
-
   // Returns the interval that a cell belongs to: intervals may overlap, and each has its own slice.
   vtkIdType GetInterval(vtkIdType cell) const
   {
     return this->Intervals ? static_cast<vtkIdType>(this->Intervals->GetComponent(cell, 0)) : 0;
   }
 
-  static unsigned int FindAbove(const Simplex& simplex, Code first)
-  {
-    unsigned int above = 0;
-    for (int v = 0; v < SimplexSize; ++v)
-    {
-      above |= (simplex.Codes[v] >= first ? 1u : 0u) << v;
-    }
-    return above;
-  }
-
   // Counts a 4-simplex of five vertices in ascending order of their ids, none at the value: no two
   // points of its slice are one.
-  void CountPlain(std::uint16_t position, const Simplex& simplex, SliceChunkBuilder& builder,
+  void CountPlain(std::uint16_t position, const SlicedSimplex& simplex, SliceChunkBuilder& builder,
     CrossingLists::Arena& arena)
   {
-    const Case& what = this->Cases[FindAbove(simplex, AtValue)];
+    const Case& what = this->Cases[simplex.FindAbove(AtValue)];
     std::uint16_t places[6];
     for (int slot = 0; slot < what.NumberOfSlots; ++slot)
     {
       const auto& [near, far] = what.Edges[slot];
       places[slot] =
-        builder.Find(simplex.Ids[near], CrossingKey(simplex.Ids[far], 0), this->Lists, arena);
+        builder.Find(simplex.GetId(near), CrossingKey(simplex.GetId(far), 0), this->Lists, arena);
     }
     for (int t = 0; t < what.NumberOfTetrahedra; ++t)
     {
-      AddTetrahedron(what.Tetrahedra[t], places, simplex.IsInverted, position, builder);
+      AddTetrahedron(what.Tetrahedra[t], places, simplex.IsInverted(), position, builder);
     }
   }
 
-  void CountTied(std::uint16_t position, const Simplex& simplex, Meeting meeting,
+  void CountTied(std::uint16_t position, const SlicedSimplex& simplex, Meeting meeting,
     vtkIdType interval, Chunk& chunk, SliceChunkBuilder& builder, CrossingLists::Arena& arena)
   {
     // Where a 4-simplex begins, its slice is the limit of those above the value.
     const Code first =
       meeting == Meeting::Begins || meeting == Meeting::Lies ? AboveValue : AtValue;
-    const Case& what = this->Cases[FindAbove(simplex, first)];
-    Point points[6];
+    const Case& what = this->Cases[simplex.FindAbove(first)];
+    SlicePoint points[6];
     for (int slot = 0; slot < what.NumberOfSlots; ++slot)
     {
-      points[slot] = FindPoint(simplex, what.Edges[slot]);
+      points[slot] = simplex.FindPoint(what.Edges[slot]);
     }
     for (int t = 0; t < what.NumberOfTetrahedra; ++t)
     {
@@ -415,21 +301,8 @@ private:
           { { { points[0].Owner, points[1].Owner, points[2].Owner, points[3].Owner } }, interval,
             meeting });
       }
-      AddTetrahedron(slots, places, simplex.IsInverted, position, builder);
+      AddTetrahedron(slots, places, simplex.IsInverted(), position, builder);
     }
-  }
-
-  static Point FindPoint(const Simplex& simplex, const std::array<Slot, 2>& edge)
-  {
-    for (const Slot end : edge)
-    {
-      if (simplex.Codes[end] == AtValue)
-      {
-        return { simplex.Ids[end], CrossingKey() };
-      }
-    }
-    const auto ends = std::minmax(simplex.Ids[edge[0]], simplex.Ids[edge[1]]);
-    return { ends.first, CrossingKey(ends.second, 0) };
   }
 
   bool FindWrongCell()
@@ -438,46 +311,6 @@ private:
       [](const Chunk& chunk) { return chunk.WrongCell >= 0; });
     this->Slice.WrongCell = wrong == this->Chunks.end() ? -1 : wrong->WrongCell;
     return this->Slice.WrongCell >= 0;
-  }
-
-  // The tetrahedra at the value of all chunks, sorted.
-  std::vector<Face> GatherFaces() const
-  {
-    std::vector<Face> faces;
-    for (const Chunk& chunk : this->Chunks)
-    {
-      faces.insert(faces.end(), chunk.Faces.begin(), chunk.Faces.end());
-    }
-    vtkSMPTools::Sort(faces.begin(), faces.end());
-    return faces;
-  }
-
-  // Of one interval, what begins is given by what ends, and a tetrahedron by either.
-  static bool IsGiven(const Face& face, const FaceRange& alike)
-  {
-    return std::any_of(alike.first, alike.second,
-      [&face](const Face& other)
-      { return other.Interval == face.Interval && other.How < face.How; });
-  }
-
-  static void LeaveOutGiven(const std::vector<Face>& faces, Chunk& chunk)
-  {
-    std::vector<SliceChunk::Tetrahedron>& all = chunk.Tetrahedra;
-    std::size_t kept = 0;
-    auto place = chunk.Places.begin();
-    for (std::size_t t = 0; t < all.size(); ++t)
-    {
-      bool isGiven = false;
-      if (place != chunk.Places.end() && *place == t)
-      {
-        const Face& face = chunk.Faces[place - chunk.Places.begin()];
-        isGiven = IsGiven(face, std::equal_range(faces.begin(), faces.end(), face));
-        ++place;
-      }
-      all[kept] = all[t];
-      kept += isGiven ? 0 : 1;
-    }
-    all.resize(kept);
   }
 
   // Finds the places where chunks begin, and makes room for all.

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_SlicedSimplex_h
+#define interlume_SlicedSimplex_h
+
+#include "Grid/CornerOrder.h"
+#include "Output/CrossingKey.h"
+#include "Scalars/ExtractionValues.h"
+#include "vtkIsotable.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+namespace interlume
+{
+
+/// The ways in which a 4-simplex meets the value of a slice.
+enum class SliceMeeting
+{
+  None,
+  Crosses,
+  /// The 4-simplex crosses with one vertex below and four at the value.
+  Ends,
+  /// Four vertices are at the value and one is above.
+  Begins,
+  /// All are at the value: a tetrahedron whose last point is there twice.
+  Lies
+};
+
+/// A point of a slice: its owner, and its key there.
+struct SlicePoint
+{
+  vtkIdType Owner;
+  CrossingKey Key;
+
+  bool operator==(const SlicePoint& other) const
+  {
+    return this->Owner == other.Owner && this->Key == other.Key;
+  }
+};
+
+/**
+ * @class   SlicedSimplex
+ * @brief   a 4-simplex, its vertices in the global order, with their codes for one value
+ */
+class SlicedSimplex
+{
+public:
+  using Code = ExtractionValues::Code;
+  using Slot = vtkIsotable::Slot;
+
+  static constexpr int Size = 5;
+  static constexpr Code AtValue = 1;
+  static constexpr Code AboveValue = 2;
+
+  /// Sorts a 4-simplex where the order is that of the ids; returns false where two are equal.
+  template <typename Id>
+  bool SortById(const Id* ids, const Code* codes)
+  {
+    std::uint64_t keys[Size];
+    for (int v = 0; v < Size; ++v)
+    {
+      keys[v] = (static_cast<std::uint64_t>(ids[v]) << CodeBits) | codes[v];
+    }
+    // A network of exchanges has no branches, which could not be predicted.
+    constexpr std::array<std::array<int, 2>, 9> network = { { { { 0, 3 } }, { { 1, 4 } },
+      { { 0, 2 } }, { { 1, 3 } }, { { 0, 1 } }, { { 2, 4 } }, { { 1, 2 } }, { { 3, 4 } },
+      { { 2, 3 } } } };
+    bool isOdd = false;
+    for (const auto& [a, b] : network)
+    {
+      const std::uint64_t first = keys[a];
+      const std::uint64_t second = keys[b];
+      const bool isTurned = second < first;
+      keys[a] = isTurned ? second : first;
+      keys[b] = isTurned ? first : second;
+      isOdd ^= isTurned;
+    }
+    bool isDistinct = true;
+    for (int v = 0; v < Size; ++v)
+    {
+      this->Ids[v] = static_cast<vtkIdType>(keys[v] >> CodeBits);
+      this->Codes[v] = static_cast<Code>(keys[v] & ((1u << CodeBits) - 1));
+      isDistinct &= v == 0 || keys[v - 1] != keys[v];
+    }
+    this->IsOdd = isOdd;
+    return isDistinct;
+  }
+
+  /// Sorts a 4-simplex by any order; of equal ids the first one is the lower.
+  template <typename Id>
+  void Sort(const Id* stored, const Code* codes, const CornerOrder& order, SliceMeeting meeting)
+  {
+    vtkIdType ids[Size];
+    std::copy_n(stored, Size, ids);
+    Slot ranks[Size];
+    order.Rank(ids, Size, ranks);
+    this->IsOdd = false;
+    for (int v = 0; v < Size; ++v)
+    {
+      this->Ids[ranks[v]] = ids[v];
+      this->Codes[ranks[v]] = codes[v];
+      for (int before = 0; before < v; ++before)
+      {
+        this->IsOdd ^= ranks[before] > ranks[v];
+      }
+    }
+    if (meeting == SliceMeeting::Lies)
+    {
+      // As if a 4-simplex began with the tetrahedron.
+      this->Codes[ranks[Size - 1]] = AboveValue;
+    }
+  }
+
+  vtkIdType GetId(Slot vertex) const { return this->Ids[vertex]; }
+  /// Returns whether it took an odd number of exchanges to sort it.
+  bool IsInverted() const { return this->IsOdd; }
+
+  /// Returns the vertices whose code is \a first or more, as bits.
+  unsigned int FindAbove(Code first) const
+  {
+    unsigned int above = 0;
+    for (int v = 0; v < Size; ++v)
+    {
+      above |= (this->Codes[v] >= first ? 1u : 0u) << v;
+    }
+    return above;
+  }
+
+  /// Returns the point of the slice on an edge: a vertex where that is at the value.
+  SlicePoint FindPoint(const std::array<Slot, 2>& edge) const
+  {
+    for (const Slot end : edge)
+    {
+      if (this->Codes[end] == AtValue)
+      {
+        return { this->Ids[end], CrossingKey() };
+      }
+    }
+    const auto ends = std::minmax(this->Ids[edge[0]], this->Ids[edge[1]]);
+    return { ends.first, CrossingKey(ends.second, 0) };
+  }
+
+private:
+  // Codes of one value, with that of values that are not finite, have so many bits.
+  static constexpr int CodeBits = 2;
+
+  vtkIdType Ids[Size];
+  Code Codes[Size];
+  bool IsOdd;
+};
+
+}
+
+#endif
