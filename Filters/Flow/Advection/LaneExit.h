@@ -3,8 +3,8 @@
 #define interlume_LaneExit_h
 
 #include "Cells/CellExit.h"
+#include "Common/Lanes.h"
 #include "Numerics/Binomials.h"
-#include "Numerics/Lanes.h"
 
 namespace interlume
 {

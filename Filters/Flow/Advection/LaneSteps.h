@@ -7,7 +7,7 @@
 #include "Advection/LaneExit.h"
 #include "Advection/StepController.h"
 #include "Advection/StiffnessTest.h"
-#include "Numerics/Lanes.h"
+#include "Common/Lanes.h"
 
 #include "vtkType.h"
 

@@ -2,8 +2,8 @@
 #ifndef interlume_LatticeLanes_h
 #define interlume_LatticeLanes_h
 
+#include "Common/Lanes.h"
 #include "Fields/IndexedFlowField.h"
-#include "Numerics/Lanes.h"
 
 namespace interlume
 {

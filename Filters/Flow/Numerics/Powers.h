@@ -2,7 +2,7 @@
 #ifndef interlume_Powers_h
 #define interlume_Powers_h
 
-#include "Numerics/Lanes.h"
+#include "Common/Lanes.h"
 
 namespace interlume
 {

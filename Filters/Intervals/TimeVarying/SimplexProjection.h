@@ -2,6 +2,8 @@
 #ifndef interlume_SimplexProjection_h
 #define interlume_SimplexProjection_h
 
+#include "TimeVarying/SimplexSigns.h"
+
 #include <array>
 #include <cstdint>
 
@@ -32,28 +34,36 @@ public:
   /// A point as x, y, z and the coordinate that is projected along.
   using Point = std::array<double, 4>;
 
-  enum Counts
-  {
-    NumberOfPoints = 5,
-    NumberOfClasses = 6
-  };
+  static constexpr int NumberOfPoints = SimplexSigns::NumberOfPoints;
+  using Corners = std::array<Point, NumberOfPoints>;
 
   SimplexProjection() = default;
 
   /// Projects a simplex. Bit i of \a flat is set where points other than i are known to lie in a
   /// plane.
-  SimplexProjection(const std::array<Point, NumberOfPoints>& points, unsigned flat);
+  SimplexProjection(const Corners& points, unsigned flat);
+
+  ///@{
+  /**
+   * Projects several simplices, each with the bytes that it has alone: for AVX2 where the machine
+   * has it, and without on any machine.
+   */
+  static void Project(
+    const Corners* points, const std::uint8_t* flats, int number, SimplexProjection* projections);
+  static void ProjectPlainly(
+    const Corners* points, const std::uint8_t* flats, int number, SimplexProjection* projections);
+  ///@}
 
   /// Returns whether it has no volume in space or no thickness; then it has no tetrahedra.
   bool IsFlat() const { return this->Thickness == 0.0; }
 
   /// Returns whether (p1 - p0, p2 - p0, p3 - p0, p4 - p0) have a negative determinant.
-  bool IsInverted() const { return this->Inverted; }
+  bool IsInverted() const { return this->Signs.IsInverted(); }
 
   /// Returns 0 ... 5 for the classes 1, 2, 3a, 3b, 4, 5. A flat simplex has no class.
-  int GetClass() const;
+  int GetClass() const { return this->Signs.GetCut().Class; }
 
-  int GetNumberOfTetrahedra() const { return this->Count(1) * this->Count(-1); }
+  int GetNumberOfTetrahedra() const { return this->Signs.GetCut().NumberOfTetrahedra; }
 
   /// Returns how long the simplex lasts at its thick point.
   double GetThickness() const { return this->Thickness; }
@@ -62,54 +72,38 @@ public:
   /// is the sum of the weights times the values at the points.
   const std::array<double, NumberOfPoints>& GetWeights() const { return this->Weights; }
 
-  /// Returns the sign of each lambda.
-  const std::array<std::int8_t, NumberOfPoints>& GetSigns() const { return this->Signs; }
+  /// Returns the sign of each lambda, from which its tetrahedra follow.
+  const SimplexSigns& GetSigns() const { return this->Signs; }
 
   /// Computes the place of the thick point from those of the points: exactly one of them where it
   /// is one.
-  void GetThickPoint(const double* const points[NumberOfPoints], double x[3]) const;
-
-  /**
-   * Calls visit(a, b, c) for each tetrahedron of the points a, b, c and the thick point. Its volume
-   * has the sign of the determinant of the simplex.
-   */
-  template <typename Visitor>
-  void ForEachTetrahedron(Visitor&& visit) const
+  void GetThickPoint(const Corners& points, double x[3]) const
   {
-    for (int i = 0; i < NumberOfPoints; ++i)
+    // Both faces meet at the thick point: the smaller one gives fewer roundings, and its own point
+    // where it is a single one.
+    const SimplexSigns::Cut& cut = this->Signs.GetCut();
+    x[0] = x[1] = x[2] = 0.0;
+    for (int m = 0; m < cut.NumberOfMeant; ++m)
     {
-      for (int j = 0; j<NumberOfPoints&& this->Signs[i]> 0; ++j)
+      const int i = cut.Meant[m];
+      for (int axis = 0; axis < 3; ++axis)
       {
-        if (this->Signs[j] >= 0)
-        {
-          continue;
-        }
-        int rest[3];
-        for (int k = 0, n = 0; k < NumberOfPoints; ++k)
-        {
-          if (k != i && k != j)
-          {
-            rest[n++] = k;
-          }
-        }
-        // With p_i in place of the thick point the tetrahedron is the one without p_j, whose sign
-        // is (-1)^j lambda_j, but for the place that p_i has in the order.
-        const bool isPositive = (i + j + (j < i ? 1 : 0)) % 2 == 0;
-        isPositive != this->Inverted ? visit(rest[0], rest[1], rest[2])
-                                     : visit(rest[1], rest[0], rest[2]);
+        x[axis] +=
+          cut.NumberOfMeant == 1 ? points[i][axis] : 2.0 * this->Weights[i] * points[i][axis];
       }
     }
   }
 
 private:
-  int Count(int sign) const;
-  template <typename Real>
-  bool Compute(const std::array<Point, NumberOfPoints>& points, unsigned flat);
+  // Projects a simplex where double precision would lose too many digits.
+  void ProjectExtended(const Corners& points, unsigned flat);
+  template <typename ProjectFourOnes>
+  static void ProjectEach(const Corners* points, const std::uint8_t* flats, int number,
+    SimplexProjection* projections, ProjectFourOnes&& projectFour);
 
   std::array<double, NumberOfPoints> Weights{};
   double Thickness = 0.0;
-  std::array<std::int8_t, NumberOfPoints> Signs{};
-  bool Inverted = false;
+  SimplexSigns Signs;
 };
 
 }

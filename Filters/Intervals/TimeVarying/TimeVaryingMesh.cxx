@@ -129,8 +129,7 @@ using Entry = OppositePairs::Entry<vtkIdType, 6>;
 // A 4-simplex of a slab, to be compared with others of its interval.
 Entry MakeEntry(const TimeVaryingMesh::Slab& slab, std::size_t s, std::size_t place)
 {
-  const int item = slab.Items.GetSize() > 0 ? slab.Items[s] : 0;
-  Entry entry{ { { item } }, false, place };
+  Entry entry{ { { slab.GetItem(static_cast<vtkIdType>(s)) } }, false, place };
   std::copy(slab.Simplices[s].begin(), slab.Simplices[s].end(), entry.Key.begin() + 1);
   entry.IsOdd = OppositePairs::Sort(entry.Key.data() + 1, 5);
   return entry;
@@ -482,7 +481,7 @@ void TimeVaryingMesh::SettleTiedBoundary()
           const Simplex& simplex = slab.Simplices[s];
           if (inTime.IsNear(simplex.data(), 5))
           {
-            const int item = slab.Items.GetSize() > 0 ? slab.Items[s] : 0;
+            const int item = slab.GetItem(s);
             ForEachFace(simplex,
               [&](const std::array<vtkIdType, 4>& face) { inTime.Count(item, face.data(), 0); });
           }

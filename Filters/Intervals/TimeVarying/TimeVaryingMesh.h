@@ -52,6 +52,11 @@ public:
     ExtractionBuffer<std::uint8_t> Ties;
     /// Of each whether its cell is another piece's; empty where no such cell is extracted.
     ExtractionBuffer<std::uint8_t> Duplicates;
+
+    int GetItem(vtkIdType simplex) const
+    {
+      return this->Items.GetSize() > 0 ? this->Items[simplex] : 0;
+    }
   };
 
   /// A triangle, with a last id of -1, or a tetrahedron on the boundary.
@@ -154,30 +159,15 @@ public:
   /// Returns a point as it is projected, the coordinate along the projection last.
   SimplexProjection::Point GetProjected(vtkIdType id) const
   {
-    SimplexProjection::Point x;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      x[axis] = this->Floats ? static_cast<double>(this->Floats[3 * id + axis])
-                             : this->Doubles[3 * id + axis];
-    }
-    x[3] = this->Times->GetValue(id);
-    if (!this->Options.IsAlongTime())
-    {
-      this->Options.Project(x.data());
-    }
-    return x;
+    return this->Floats ? this->GetProjected(this->Floats, id)
+                        : this->GetProjected(this->Doubles, id);
   }
 
-  /// The corners of a simplex as they are projected.
-  using Corners = std::array<SimplexProjection::Point, SimplexProjection::NumberOfPoints>;
-  Corners GetProjected(const Simplex& simplex) const
+  /// Finds the corners of some simplices as they are projected.
+  void GetProjected(const Simplex* simplices, int number, SimplexProjection::Corners* corners) const
   {
-    Corners corners;
-    for (int p = 0; p < SimplexProjection::NumberOfPoints; ++p)
-    {
-      corners[p] = this->GetProjected(simplex[p]);
-    }
-    return corners;
+    this->Floats ? this->GetProjected(this->Floats, simplices, number, corners)
+                 : this->GetProjected(this->Doubles, simplices, number, corners);
   }
 
 private:
@@ -193,6 +183,30 @@ private:
       return this->Owner < other.Owner || (this->Owner == other.Owner && this->Key < other.Key);
     }
   };
+
+  template <typename Coordinate>
+  SimplexProjection::Point GetProjected(const Coordinate* coordinates, vtkIdType id) const
+  {
+    SimplexProjection::Point x = { { coordinates[3 * id], coordinates[3 * id + 1],
+      coordinates[3 * id + 2], this->Times->GetValue(id) } };
+    if (!this->Options.IsAlongTime())
+    {
+      this->Options.Project(x.data());
+    }
+    return x;
+  }
+  template <typename Coordinate>
+  void GetProjected(const Coordinate* coordinates, const Simplex* simplices, int number,
+    SimplexProjection::Corners* corners) const
+  {
+    for (int s = 0; s < number; ++s)
+    {
+      for (int p = 0; p < SimplexProjection::NumberOfPoints; ++p)
+      {
+        corners[s][p] = this->GetProjected(coordinates, simplices[s][p]);
+      }
+    }
+  }
 
   // Notes the points at the second step, for the next slab.
   void FindEndPoints(const ExtractionBuffer<ExtractionPoint>& points, const CrossingLists& lists,

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iostream>
 #include <numeric>
 #include <random>
@@ -158,12 +159,10 @@ Place PlaceOf(const Point& p)
 std::vector<std::array<Place, 4>> TetrahedraOf(
   const interlume::SimplexProjection& projection, const Points& p)
 {
-  const double* places[5];
-  std::transform(p.begin(), p.end(), places, [](const Point& point) { return point.data(); });
   double thick[3];
-  projection.GetThickPoint(places, thick);
+  projection.GetThickPoint(p, thick);
   std::vector<std::array<Place, 4>> tetrahedra;
-  projection.ForEachTetrahedron(
+  projection.GetSigns().ForEachTetrahedron(
     [&](int a, int b, int c)
     {
       tetrahedra.push_back(
@@ -329,8 +328,8 @@ void CheckClass(
   Real mean = 0;
   for (int i = 0; i < 5; ++i)
   {
-    check.Equal(projection.GetSigns()[i] * projection.GetSigns()[i], truth.Signs[i] != 0,
-      "points that have a part in it");
+    const int sign = projection.GetSigns().Get(i);
+    check.Equal(sign * sign, truth.Signs[i] != 0, "points that have a part in it");
     mean += projection.GetWeights()[i] * p[i][3];
   }
   Real expected = 0;
@@ -494,6 +493,60 @@ void CheckFlat(Check& check)
   }
 }
 
+/// Whether two projections have the same bytes.
+bool AreSame(const interlume::SimplexProjection& a, const interlume::SimplexProjection& b)
+{
+  bool same = a.GetWeights() == b.GetWeights() && a.GetThickness() == b.GetThickness() &&
+    a.IsInverted() == b.IsInverted();
+  for (int i = 0; i < 5; ++i)
+  {
+    same = same && a.GetSigns().Get(i) == b.GetSigns().Get(i);
+  }
+  return same;
+}
+
+/// Any number of 4-simplices at once, against each by itself: easy ones beside such as need more
+/// digits, and flat ones.
+void CheckSeveral(Check& check)
+{
+  check.SetContext("several at once");
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> amount(-1.0, 1.0);
+  std::array<long long, 3> found{};
+  for (int round = 0; round < 2000; ++round)
+  {
+    const int number = 1 + static_cast<int>(random() % 11);
+    std::vector<Points> several(number);
+    std::vector<std::uint8_t> flats(number);
+    for (int s = 0; s < number; ++s)
+    {
+      Points& p = several[s];
+      p = MakeClass(static_cast<int>(random() % NumberOfClasses), random);
+      flats[s] = static_cast<std::uint8_t>(random() % 2 == 0 ? FlatBits(p) : 0);
+      const double digits = -17.0 * (0.5 + 0.5 * amount(random));
+      p[random() % 5][random() % 4] += amount(random) * std::pow(10.0, digits);
+      if (random() % 8 == 0)
+      {
+        std::for_each(p.begin(), p.end(), [](Point& point) { point[2] = 0.5; });
+      }
+      p = Scaled(p, std::ldexp(1.0, static_cast<int>(random() % 5) * 20 - 40), 1.0, 0.0);
+    }
+    std::vector<interlume::SimplexProjection> quick(number);
+    std::vector<interlume::SimplexProjection> plain(number);
+    interlume::SimplexProjection::Project(several.data(), flats.data(), number, quick.data());
+    interlume::SimplexProjection::ProjectPlainly(
+      several.data(), flats.data(), number, plain.data());
+    for (int s = 0; s < number; ++s)
+    {
+      const interlume::SimplexProjection alone(several[s], flats[s]);
+      check.That(AreSame(quick[s], alone), "it has the bytes that it has alone");
+      check.That(AreSame(plain[s], alone), "the instructions of any machine give the same bytes");
+      ++found[alone.IsFlat() ? 0 : alone.IsInverted() ? 1 : 2];
+    }
+  }
+  check.That(*std::min_element(found.begin(), found.end()) > 500, "enough of each sort");
+}
+
 }
 
 int TestTimeVaryingProjection(int, char*[])
@@ -505,5 +558,6 @@ int TestTimeVaryingProjection(int, char*[])
     CheckPerturbed(index, check);
   }
   CheckFlat(check);
+  CheckSeveral(check);
   return check.Result();
 }

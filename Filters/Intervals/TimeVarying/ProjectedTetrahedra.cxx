@@ -1,0 +1,444 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TimeVarying/ProjectedTetrahedra.h"
+
+#include "Arrays/ExtractionArrays.h"
+
+#include "vtkCellData.h"
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+#include "vtkTimeVaryingReport.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace interlume
+{
+
+namespace
+{
+constexpr int NumberOfPoints = SimplexProjection::NumberOfPoints;
+// Simplices that are projected in one go: what is known of them stays in the nearest cache.
+constexpr int BatchSize = 64;
+
+constexpr unsigned char ClassNames[SimplexSigns::NumberOfClasses] = {
+  vtkTimeVaryingSettings::CLASS_1, vtkTimeVaryingSettings::CLASS_2,
+  vtkTimeVaryingSettings::CLASS_3A, vtkTimeVaryingSettings::CLASS_3B,
+  vtkTimeVaryingSettings::CLASS_4, vtkTimeVaryingSettings::CLASS_5
+};
+
+template <typename Array>
+auto* AddCellArray(vtkUnstructuredGrid* output, const char* name, vtkIdType number)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfValues(number);
+  ExtractionMemory::PreferLargePages(array);
+  output->GetCellData()->AddArray(array);
+  return array->GetPointer(0);
+}
+
+// Calls visit with the values of an array of float or of double; returns whether it is one.
+template <typename Visitor>
+bool VisitNumbers(vtkAbstractArray* array, Visitor&& visit)
+{
+  if (vtkFloatArray* floats = vtkFloatArray::SafeDownCast(array))
+  {
+    visit(floats->GetPointer(0));
+    return true;
+  }
+  if (vtkDoubleArray* doubles = vtkDoubleArray::SafeDownCast(array))
+  {
+    visit(doubles->GetPointer(0));
+    return true;
+  }
+  return false;
+}
+
+// Moves tuples of an array of numbers to where those before them end.
+void MoveTuples(vtkDataArray* array, vtkIdType from, vtkIdType to, vtkIdType number)
+{
+  const std::size_t size =
+    static_cast<std::size_t>(array->GetNumberOfComponents()) * array->GetDataTypeSize();
+  char* const values = static_cast<char*>(array->GetVoidPointer(0));
+  std::memmove(values + to * size, values + from * size, number * size);
+}
+}
+
+// Some simplices of a slab.
+struct ProjectedTetrahedra::Block
+{
+  const Slab* TheSlab;
+  vtkIdType First;
+  vtkIdType Last;
+  // The place of the first simplex among those of all slabs.
+  vtkIdType Place;
+  // The numbers of thick points and of tetrahedra; then where these begin.
+  vtkIdType ThickPoints = 0;
+  vtkIdType Tetrahedra = 0;
+  std::array<vtkIdType, SimplexSigns::NumberOfClasses> Classes{};
+  vtkIdType Inverted = 0;
+
+  void Add(const SimplexProjection& projection)
+  {
+    this->Inverted += projection.IsInverted();
+    if (!projection.IsFlat())
+    {
+      const SimplexSigns::Cut& cut = projection.GetSigns().GetCut();
+      ++this->ThickPoints;
+      this->Tetrahedra += cut.NumberOfTetrahedra;
+      this->Classes[cut.Class] += cut.NumberOfTetrahedra;
+    }
+  }
+};
+
+// Simplices in a row, projected.
+struct ProjectedTetrahedra::Batch
+{
+  const Simplex* Simplices;
+  int Number;
+  SimplexProjection::Corners Corners[BatchSize];
+  SimplexProjection Projections[BatchSize];
+  // Where their thick points begin.
+  vtkIdType ThickPoint;
+
+  // Calls visit(simplex, thickPoint) for those that are not flat.
+  template <typename Visitor>
+  void ForEach(Visitor&& visit) const
+  {
+    vtkIdType thickPoint = this->ThickPoint;
+    for (int s = 0; s < this->Number; ++s)
+    {
+      if (!this->Projections[s].IsFlat())
+      {
+        visit(s, thickPoint++);
+      }
+    }
+  }
+};
+
+ProjectedTetrahedra::ProjectedTetrahedra(
+  const ExtractionContext& context, const TimeVaryingMesh& mesh, vtkUnstructuredGrid* output)
+  : Context(context)
+  , Mesh(mesh)
+  , Output(output)
+  , BasePoints(mesh.GetPoints()->GetNumberOfPoints())
+{
+}
+
+ProjectedTetrahedra::~ProjectedTetrahedra() = default;
+
+bool ProjectedTetrahedra::Fill(vtkTimeVaryingReport& report)
+{
+  this->MakeBlocks();
+  this->AllocatePoints();
+  const vtkIdType blocks = static_cast<vtkIdType>(this->Blocks.size());
+  if (!this->Context.Run(blocks, 0.0, 0.7,
+        [this](vtkIdType first, vtkIdType last)
+        {
+          for (vtkIdType b = first; b < last; ++b)
+          {
+            this->ProjectBlock(this->Blocks[b]);
+          }
+        }))
+  {
+    return false;
+  }
+  for (Block& block : this->Blocks)
+  {
+    this->Place(block, report);
+  }
+  this->LeaveOutFlat();
+  this->AllocateTetrahedra();
+  if (!this->Context.Run(blocks, 0.7, 1.0,
+        [this](vtkIdType first, vtkIdType last)
+        {
+          for (vtkIdType b = first; b < last; ++b)
+          {
+            this->WriteBlock(this->Blocks[b]);
+          }
+        }))
+  {
+    return false;
+  }
+  this->FillOthers();
+  this->Output->SetCells(VTK_TETRA, this->Cells.MakeCells());
+  return true;
+}
+
+void ProjectedTetrahedra::MakeBlocks()
+{
+  constexpr vtkIdType size = 512;
+  for (const Slab& slab : this->Mesh.GetSlabs())
+  {
+    const vtkIdType number = static_cast<vtkIdType>(slab.Simplices.GetSize());
+    for (vtkIdType first = 0; first < number; first += size)
+    {
+      this->Blocks.push_back(
+        { &slab, first, std::min(first + size, number), this->Simplices + first });
+    }
+    this->Simplices += number;
+  }
+}
+
+void ProjectedTetrahedra::AllocatePoints()
+{
+  const vtkIdType points = this->BasePoints + this->Simplices;
+  this->Signs.Allocate(this->Simplices);
+  this->Points.TakeReference(vtkPoints::New(this->Mesh.GetPoints()->GetDataType()));
+  this->Points->SetNumberOfPoints(points);
+  ExtractionMemory::PreferLargePages(this->Points->GetData());
+  this->Output->SetPoints(this->Points);
+  VisitNumbers(this->Points->GetData(), [this](auto* values) { this->CopyPoints(values); });
+  vtkPointData* to = this->Output->GetPointData();
+  vtkPointData* from = this->Mesh.GetArrays();
+  for (int a = 0; a < from->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* array = from->GetAbstractArray(a);
+    ExtractionArrays::AddLike(from, array, to, this->MakeArray(array));
+  }
+  to->AddArray(this->MakeArray(this->Mesh.GetTimes()));
+  this->Thickness->SetName("DeltaT");
+  this->Thickness->SetNumberOfValues(points);
+  ExtractionMemory::PreferLargePages(this->Thickness);
+  double* thickness = this->Thickness->GetPointer(0);
+  vtkSMPTools::Fill(thickness, thickness + this->BasePoints, 0.0);
+  to->AddArray(this->Thickness);
+  this->Heaviest.Allocate(this->Others.empty() ? 0 : this->Simplices);
+}
+
+template <typename Value>
+void ProjectedTetrahedra::CopyPoints(Value* values)
+{
+  vtkSMPTools::For(0, this->BasePoints, ThreadGrain,
+    [this, values](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType p = first; p < last; ++p)
+      {
+        const SimplexProjection::Point x = this->Mesh.GetProjected(p);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          values[3 * p + axis] = static_cast<Value>(x[axis]);
+        }
+      }
+    });
+}
+
+// Makes an array of the points; its values at the thick points are yet to be written.
+vtkSmartPointer<vtkAbstractArray> ProjectedTetrahedra::MakeArray(vtkAbstractArray* from)
+{
+  vtkSmartPointer<vtkAbstractArray> made;
+  made.TakeReference(from->NewInstance());
+  made->SetName(from->GetName());
+  made->SetNumberOfComponents(from->GetNumberOfComponents());
+  made->SetNumberOfTuples(this->BasePoints + this->Simplices);
+  if (vtkDataArray* numbers = vtkDataArray::SafeDownCast(made))
+  {
+    ExtractionMemory::PreferLargePages(numbers);
+  }
+  made->InsertTuples(0, this->BasePoints, 0, from);
+  const int components = from->GetNumberOfComponents();
+  if (!VisitNumbers(made, [this, components](auto* values) { this->AddMeans(values, components); }))
+  {
+    this->Others.push_back(made);
+  }
+  return made;
+}
+
+template <typename Value>
+void ProjectedTetrahedra::AddMeans(Value* values, int components)
+{
+  this->Means.push_back(
+    [values, components](const Batch& batch)
+    {
+      batch.ForEach(
+        [&](int s, vtkIdType thickPoint)
+        {
+          const Simplex& simplex = batch.Simplices[s];
+          const auto& weights = batch.Projections[s].GetWeights();
+          for (int c = 0; c < components; ++c)
+          {
+            double mean = 0.0;
+            for (int p = 0; p < NumberOfPoints; ++p)
+            {
+              // A value without weight may not be finite.
+              const double part = weights[p] * values[simplex[p] * components + c];
+              mean += weights[p] == 0.0 ? 0.0 : part;
+            }
+            values[thickPoint * components + c] = static_cast<Value>(mean);
+          }
+        });
+    });
+}
+
+void ProjectedTetrahedra::ProjectBlock(Block& block)
+{
+  const Slab& slab = *block.TheSlab;
+  double* const thickness = this->Thickness->GetPointer(0);
+  Batch batch;
+  for (vtkIdType first = block.First; first < block.Last; first += BatchSize)
+  {
+    const vtkIdType place = block.Place + first - block.First;
+    batch.Simplices = slab.Simplices.GetData() + first;
+    batch.Number = static_cast<int>(std::min<vtkIdType>(BatchSize, block.Last - first));
+    batch.ThickPoint = this->BasePoints + block.Place + block.ThickPoints;
+    this->Mesh.GetProjected(batch.Simplices, batch.Number, batch.Corners);
+    SimplexProjection::Project(
+      batch.Corners, slab.Flats.GetData() + first, batch.Number, batch.Projections);
+    for (int s = 0; s < batch.Number; ++s)
+    {
+      const SimplexProjection& projection = batch.Projections[s];
+      block.Add(projection);
+      this->Signs[place + s] = projection.IsFlat() ? SimplexSigns() : projection.GetSigns();
+      if (!this->Others.empty())
+      {
+        const auto& weights = projection.GetWeights();
+        this->Heaviest[place + s] = static_cast<std::uint8_t>(
+          std::max_element(weights.begin(), weights.end()) - weights.begin());
+      }
+    }
+    VisitNumbers(this->Points->GetData(), [&](auto* values) { this->WritePoints(batch, values); });
+    batch.ForEach([&](int s, vtkIdType thickPoint)
+      { thickness[thickPoint] = batch.Projections[s].GetThickness(); });
+    for (const MeanWriter& write : this->Means)
+    {
+      write(batch);
+    }
+  }
+}
+
+template <typename Value>
+void ProjectedTetrahedra::WritePoints(const Batch& batch, Value* values) const
+{
+  batch.ForEach(
+    [&](int s, vtkIdType thickPoint)
+    {
+      double x[3];
+      batch.Projections[s].GetThickPoint(batch.Corners[s], x);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        values[3 * thickPoint + axis] = static_cast<Value>(x[axis]);
+      }
+    });
+}
+
+// Turns the size of a block into the places where it begins.
+void ProjectedTetrahedra::Place(Block& block, vtkTimeVaryingReport& report)
+{
+  report.FlatSimplices += block.Last - block.First - block.ThickPoints;
+  report.InvertedSimplices += block.Inverted;
+  for (std::size_t c = 0; c < block.Classes.size(); ++c)
+  {
+    report.Tetrahedra[c] += block.Classes[c];
+  }
+  const vtkIdType thickPoints = block.ThickPoints;
+  const vtkIdType tetrahedra = block.Tetrahedra;
+  block.ThickPoints = this->BasePoints + this->ThickPoints;
+  block.Tetrahedra = this->Tetrahedra;
+  this->ThickPoints += thickPoints;
+  this->Tetrahedra += tetrahedra;
+}
+
+void ProjectedTetrahedra::LeaveOutFlat()
+{
+  if (this->ThickPoints == this->Simplices)
+  {
+    return;
+  }
+  const vtkIdType points = this->BasePoints + this->ThickPoints;
+  vtkPointData* arrays = this->Output->GetPointData();
+  const auto shorten = [&](vtkAbstractArray* array)
+  {
+    vtkDataArray* numbers = vtkDataArray::SafeDownCast(array);
+    const bool isOther =
+      std::find(this->Others.begin(), this->Others.end(), array) != this->Others.end();
+    for (std::size_t b = 0; b < this->Blocks.size() && !isOther; ++b)
+    {
+      const vtkIdType begin = this->Blocks[b].ThickPoints;
+      const vtkIdType end = b + 1 < this->Blocks.size() ? this->Blocks[b + 1].ThickPoints : points;
+      MoveTuples(numbers, this->BasePoints + this->Blocks[b].Place, begin, end - begin);
+    }
+    array->Resize(points);
+  };
+  shorten(this->Points->GetData());
+  for (int a = 0; a < arrays->GetNumberOfArrays(); ++a)
+  {
+    shorten(arrays->GetAbstractArray(a));
+  }
+}
+
+void ProjectedTetrahedra::AllocateTetrahedra()
+{
+  this->Cells.Allocate(this->Tetrahedra, 4, this->BasePoints + this->ThickPoints);
+  this->Classes =
+    AddCellArray<vtkUnsignedCharArray>(this->Output, "SimplexClass", this->Tetrahedra);
+  this->Items = AddCellArray<vtkIntArray>(this->Output, "IntervalId", this->Tetrahedra);
+  this->Slabs = AddCellArray<vtkIntArray>(this->Output, "TimeSlab", this->Tetrahedra);
+}
+
+void ProjectedTetrahedra::WriteBlock(const Block& block)
+{
+  const Slab& slab = *block.TheSlab;
+  const Simplex* const simplices = slab.Simplices.GetData() + block.First;
+  const SimplexSigns* const signs = this->Signs.GetData() + block.Place;
+  const vtkIdType number = block.Last - block.First;
+  vtkIdType tetrahedron = block.Tetrahedra;
+  this->Cells.Visit(
+    [&](auto* values)
+    {
+      using Id = std::decay_t<decltype(*values)>;
+      Id* next = values + 4 * tetrahedron;
+      vtkIdType thickPoint = block.ThickPoints;
+      for (vtkIdType s = 0; s < number; ++s)
+      {
+        const Simplex& simplex = simplices[s];
+        signs[s].ForEachTetrahedron(
+          [&](int a, int b, int c)
+          {
+            next[0] = static_cast<Id>(simplex[a]);
+            next[1] = static_cast<Id>(simplex[b]);
+            next[2] = static_cast<Id>(simplex[c]);
+            next[3] = static_cast<Id>(thickPoint);
+            next += 4;
+          });
+        thickPoint += signs[s].GetCut().NumberOfTetrahedra > 0 ? 1 : 0;
+      }
+    });
+  for (vtkIdType s = 0; s < number; ++s)
+  {
+    const SimplexSigns::Cut& cut = signs[s].GetCut();
+    std::fill_n(this->Classes + tetrahedron, cut.NumberOfTetrahedra, ClassNames[cut.Class]);
+    std::fill_n(this->Items + tetrahedron, cut.NumberOfTetrahedra, slab.GetItem(block.First + s));
+    tetrahedron += cut.NumberOfTetrahedra;
+  }
+  std::fill(this->Slabs + block.Tetrahedra, this->Slabs + tetrahedron, slab.Number);
+}
+
+// Fills in values that have no mean by those of the point with the most weight.
+void ProjectedTetrahedra::FillOthers()
+{
+  if (this->Others.empty())
+  {
+    return;
+  }
+  for (const Block& block : this->Blocks)
+  {
+    vtkIdType thickPoint = block.ThickPoints;
+    for (vtkIdType s = block.First; s < block.Last; ++s)
+    {
+      const vtkIdType place = block.Place + s - block.First;
+      if (this->Signs[place].GetCut().NumberOfTetrahedra > 0)
+      {
+        const vtkIdType heaviest = block.TheSlab->Simplices[s][this->Heaviest[place]];
+        for (vtkAbstractArray* array : this->Others)
+        {
+          array->SetTuple(thickPoint, heaviest, array);
+        }
+        ++thickPoint;
+      }
+    }
+  }
+}
+
+}
