@@ -165,6 +165,38 @@ void FillKeys(
     keys[i] = static_cast<Code>(columns[i] + Base * columns[i + 1]);
   }
 }
+
+/// The code of a cell whose corners differ.
+constexpr Code Mixed = 65535;
+
+/**
+ * Finds of each of \a number cells in a row the least and the greatest code of its corners, and the
+ * code that all of them have or Mixed. The eight rows are those around the cells at two times; \a
+ * least and \a greatest have room for one more number than there are cells.
+ */
+inline void FindRanges(const Code* const rows[8], std::int64_t number,
+  Code* INTERLUME_RESTRICT least, Code* INTERLUME_RESTRICT greatest, Code* INTERLUME_RESTRICT all)
+{
+  const Code* INTERLUME_RESTRICT r[8];
+  std::copy_n(rows, 8, r);
+  for (std::int64_t i = 0; i <= number; ++i)
+  {
+    const Code low = std::min(std::min(std::min(r[0][i], r[1][i]), std::min(r[2][i], r[3][i])),
+      std::min(std::min(r[4][i], r[5][i]), std::min(r[6][i], r[7][i])));
+    const Code high = std::max(std::max(std::max(r[0][i], r[1][i]), std::max(r[2][i], r[3][i])),
+      std::max(std::max(r[4][i], r[5][i]), std::max(r[6][i], r[7][i])));
+    least[i] = low;
+    greatest[i] = high;
+  }
+  for (std::int64_t i = 0; i < number; ++i)
+  {
+    const Code low = std::min(least[i], least[i + 1]);
+    const Code high = std::max(greatest[i], greatest[i + 1]);
+    least[i] = low;
+    greatest[i] = high;
+    all[i] = low == high ? low : Mixed;
+  }
+}
 }
 
 }

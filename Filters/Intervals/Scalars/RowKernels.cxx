@@ -41,4 +41,11 @@ void RowKernels::FillKeys(int base, const Code* const rows[4], Code first, Code 
             : FillKeysOf<2>(rows, first, second, number, columns, keys);
 }
 
+INTERLUME_FUNCTION_CLONES("avx2")
+void RowKernels::FindRanges(
+  const Code* const rows[8], std::int64_t number, Code* least, Code* greatest, Code* all)
+{
+  ExtractionKernels::FindRanges(rows, number, least, greatest, all);
+}
+
 }

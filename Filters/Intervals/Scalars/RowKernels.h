@@ -24,6 +24,9 @@ void CountOwned(const Code* here, const Code* along, const Code* above, std::int
 /// them; \a columns is room for one more number than there are cells.
 void FillKeys(int base, const Code* const rows[4], Code first, Code second, std::int64_t number,
   Code* columns, Code* keys);
+
+void FindRanges(
+  const Code* const rows[8], std::int64_t number, Code* least, Code* greatest, Code* all);
 }
 
 }

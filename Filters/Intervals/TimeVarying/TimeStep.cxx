@@ -5,6 +5,7 @@
 #include "Common/GridCells.h"
 #include "Scalars/ExtractionDispatch.h"
 #include "Scalars/ExtractionScalars.h"
+#include "Scalars/RowKernels.h"
 #include "Static/ExtractionLinearizer.h"
 #include "Static/GhostCells.h"
 
@@ -159,7 +160,11 @@ bool TimeStep::MakeCodes(const ExtractionContext& context, double from, double t
     {
       ExtractionValues::Code* codes = this->Codes.GetData() + first;
       scalars->Classify(first, last - first, codes);
-      if (std::any_of(codes, codes + (last - first), ExtractionValues::IsTie))
+      ExtractionValues::Code least;
+      ExtractionValues::Code greatest;
+      ExtractionValues::Code bits;
+      RowKernels::Summarize(codes, last - first, least, greatest, bits);
+      if (ExtractionValues::IsTie(bits))
       {
         this->Ties = true;
       }

@@ -5,6 +5,9 @@
 #include "Grid/CellOrientation.h"
 #include "Grid/CornerOrder.h"
 #include "Grid/RowIndex.h"
+#include "Scalars/ExtractionKernels.h"
+#include "Scalars/RowKernels.h"
+#include "Static/ExtractionContext.h"
 #include "Static/GhostCells.h"
 #include "Static/PointMarks.h"
 #include "Static/UnstructuredCells.h"
@@ -79,8 +82,11 @@ protected:
 class TimeVaryingRows : public TimeVaryingCellsBase
 {
 public:
-  TimeVaryingRows(const TimeStep& first, const TimeStep& second)
+  using Code = ExtractionValues::Code;
+
+  TimeVaryingRows(const TimeStep& first, const TimeStep& second, const ExtractionValues& values)
     : TimeVaryingCellsBase(first, second)
+    , Values(values)
     , Rows(first.GetDimensions())
     , CellsInRow(first.GetDimensions()[0] - 1)
     , RowsInLayer(first.GetDimensions()[1] - 1)
@@ -100,61 +106,84 @@ public:
     }
   }
 
-  /// Appends the cells first ... last - 1 that \a marks has near an item.
-  void FindNear(vtkIdType first, vtkIdType last, const PointMarks& marks,
-    std::vector<vtkIdType>& near, vtkExtractionReport& report) const
+  /// There is nothing to be made, since rows of codes are looked at as they are.
+  bool MakeMarks(const ExtractionContext&) { return true; }
+  void FreeMarks() {}
+  std::size_t GetMarkBytes() const { return 0; }
+
+  /// Appends the cells first ... last - 1 that are near an item.
+  void FindNear(vtkIdType first, vtkIdType last, std::vector<vtkIdType>& near,
+    vtkExtractionReport& report) const
   {
+    constexpr vtkIdType most = 512;
+    Code least[most + 1];
+    Code greatest[most + 1];
+    Code all[most];
     TimeVaryingCell cell;
     while (first < last)
     {
       this->Read(first, cell);
       const vtkIdType inRow = this->CellsInRow - first % this->CellsInRow;
-      const vtkIdType end = std::min(last, first + inRow);
-      const PointMarks::Mark* corners[8];
-      for (int v = 0; v < 8; ++v)
+      const vtkIdType number = std::min({ last - first, inRow, most });
+      const Code* rows[8];
+      for (int row = 0; row < 8; ++row)
       {
-        corners[v] = marks.GetData() + cell.Ids[v];
+        // The even corners are those at the beginnings of rows.
+        rows[row] = this->Steps[row / 4]->GetCodes() + cell.Ids[2 * (row % 4)];
       }
-      for (vtkIdType i = 0; i < end - first; ++i)
+      RowKernels::FindRanges(rows, number, least, greatest, all);
+      for (vtkIdType i = 0; i < number;)
       {
-        PointMarks::Mark all = 0;
-        for (const PointMarks::Mark* corner : corners)
+        const vtkIdType end = all[i] == ExtractionKernels::Mixed
+          ? i + 1
+          : ExtractionKernels::FindChange(all, i, number);
+        const bool isNonFinite = greatest[i] == this->Values.GetNonFiniteCode();
+        const bool isNear = this->IsNear(least[i], greatest[i]);
+        for (; i < end && (isNear || isNonFinite || this->HasBlanking()); ++i)
         {
-          all = static_cast<PointMarks::Mark>(all | corner[i]);
+          this->Sort(first + i, isNear, isNonFinite, near, report);
         }
-        if (marks.IsNear(all) || PointMarks::IsNonFinite(all) || this->HasBlanking())
-        {
-          this->Sort(first + i, all, marks, near, report);
-        }
+        i = end;
       }
-      first = end;
+      first += number;
     }
   }
 
 private:
-  void Sort(vtkIdType id, PointMarks::Mark all, const PointMarks& marks,
-    std::vector<vtkIdType>& near, vtkExtractionReport& report) const
+  bool IsNear(Code least, Code greatest) const
+  {
+    const auto& items = this->Values.GetItems();
+    return std::any_of(items.begin(), items.end(),
+      [&](const ExtractionValues::Item& item)
+      { return !this->Values.IsOutside(item, least, greatest); });
+  }
+
+  void Sort(vtkIdType id, bool isNear, bool isNonFinite, std::vector<vtkIdType>& near,
+    vtkExtractionReport& report) const
   {
     TimeVaryingCell cell;
-    this->Read(id, cell);
-    if (this->HasBlanking() && this->IsBlanked(cell))
+    if (this->HasBlanking())
     {
-      ++report.BlankedCells;
+      this->Read(id, cell);
+      if (this->IsBlanked(cell))
+      {
+        ++report.BlankedCells;
+        return;
+      }
     }
-    else if (PointMarks::IsNonFinite(all))
+    if (isNonFinite)
     {
       ++report.NonFiniteCells;
+      return;
     }
-    else
+    report.BlankedCells += this->IsDuplicate(id);
+    if (isNear)
     {
-      report.BlankedCells += this->IsDuplicate(id);
-      if (marks.IsNear(all))
-      {
-        near.push_back(id);
-      }
+      near.push_back(id);
     }
   }
 
+  const ExtractionValues& Values;
   RowIndex Rows;
   vtkIdType CellsInRow;
   vtkIdType RowsInLayer;
@@ -170,13 +199,27 @@ template <typename Stored>
 class TimeVaryingUnstructured : public TimeVaryingCellsBase
 {
 public:
-  TimeVaryingUnstructured(
-    const TimeStep& first, const TimeStep& second, const Stored* offsets, const Stored* ids)
+  TimeVaryingUnstructured(const TimeStep& first, const TimeStep& second,
+    const ExtractionValues& values, const Stored* offsets, const Stored* ids)
     : TimeVaryingCellsBase(first, second)
     , Cells(first.GetUnstructuredGrid(), offsets, ids)
     , Order(first.GetGrid()->GetPointData())
+    , Marks(values, first.GetNumberOfPoints())
   {
   }
+
+  ///@{
+  /// The marks of all points at both steps, by which FindNear goes. MakeMarks returns false when
+  /// the user aborted.
+  bool MakeMarks(const ExtractionContext& context)
+  {
+    return context.Run(this->Steps[0]->GetNumberOfPoints(), 0.1, 0.2,
+      [this](vtkIdType first, vtkIdType last)
+      { this->Marks.Fill(this->Steps[0]->GetCodes(), this->Steps[1]->GetCodes(), first, last); });
+  }
+  void FreeMarks() { this->Marks.Free(); }
+  std::size_t GetMarkBytes() const { return this->Marks.GetBytes(); }
+  ///@}
 
   const CornerOrder& GetOrder() const { return this->Order; }
 
@@ -191,16 +234,16 @@ public:
     }
   }
 
-  void FindNear(vtkIdType first, vtkIdType last, const PointMarks& marks,
-    std::vector<vtkIdType>& near, vtkExtractionReport& report) const
+  void FindNear(vtkIdType first, vtkIdType last, std::vector<vtkIdType>& near,
+    vtkExtractionReport& report) const
   {
     if (this->Cells.IsUniform() && !this->HasBlanking())
     {
-      this->Cells.ForEachMarks(first, last, marks.GetData(),
+      this->Cells.ForEachMarks(first, last, this->Marks.GetData(),
         [&](vtkIdType id, PointMarks::Mark all)
         {
           report.NonFiniteCells += PointMarks::IsNonFinite(all);
-          if (marks.IsNear(all))
+          if (this->Marks.IsNear(all))
           {
             near.push_back(id);
           }
@@ -209,7 +252,7 @@ public:
     }
     for (vtkIdType id = first; id < last; ++id)
     {
-      if (this->IsNear(id, marks, report))
+      if (this->IsNear(id, report))
       {
         near.push_back(id);
       }
@@ -226,7 +269,7 @@ private:
     this->Cells.GetIds(id, corners, cell.Ids);
   }
 
-  bool IsNear(vtkIdType id, const PointMarks& marks, vtkExtractionReport& report) const
+  bool IsNear(vtkIdType id, vtkExtractionReport& report) const
   {
     const CellCorners& corners = this->Cells.GetCorners(id);
     vtkIdType* reason = nullptr;
@@ -235,7 +278,7 @@ private:
     {
       TimeVaryingCell cell;
       this->ReadAsStored(id, cell);
-      all = this->Cells.GetMarks(id, corners.NumberOfCorners, marks.GetData());
+      all = this->Cells.GetMarks(id, corners.NumberOfCorners, this->Marks.GetData());
       reason = this->HasBlanking() && this->IsBlanked(cell) ? &report.BlankedCells
         : PointMarks::IsNonFinite(all)                      ? &report.NonFiniteCells
                                                             : nullptr;
@@ -252,11 +295,12 @@ private:
     }
     report.BlankedCells += this->IsDuplicate(id);
     report.LinearizedCells += corners.Kind == CellCorners::HIGHER_ORDER;
-    return marks.IsNear(all);
+    return this->Marks.IsNear(all);
   }
 
   UnstructuredCells<Stored> Cells;
   CornerOrder Order;
+  PointMarks Marks;
 };
 
 }

@@ -6,6 +6,7 @@
 #include "Static/CrossingLists.h"
 #include "Static/ExtractionCell.h"
 #include "TimeVarying/FacePlanarity.h"
+#include "TimeVarying/FlatSides.h"
 #include "TimeVarying/TimeVaryingBoundary.h"
 #include "TimeVarying/TimeVaryingCells.h"
 #include "TimeVarying/TimeVaryingCut.h"
@@ -84,8 +85,9 @@ struct Cut
 // The access of one thread to the tables, and its room for cuts.
 struct Workplace
 {
-  // The readers are shared pointers only since VTK copies what a thread begins with.
+  // These are shared pointers only since VTK copies what a thread begins with.
   std::array<std::shared_ptr<vtkIsotableCache::Reader>, vtkIsotable::NUMBER_OF_SHAPES> Tables;
+  std::shared_ptr<FlatSides> Flats;
   Cut Own;
 
   const vtkIsotableCache::Case& GetCase(vtkIsotable::Shapes shape, std::uint32_t key)
@@ -97,6 +99,15 @@ struct Workplace
     }
     return table->GetCase(key);
   }
+
+  FlatSides& GetFlats()
+  {
+    if (!this->Flats)
+    {
+      this->Flats = std::make_shared<FlatSides>();
+    }
+    return *this->Flats;
+  }
 };
 
 template <typename Cells>
@@ -104,8 +115,7 @@ class Extractor
 {
 public:
   Extractor(const ExtractionContext& context, const TimeStep& first, const TimeStep& second,
-    const Cells& cells, const CornerOrder& order, TimeVaryingMesh& mesh,
-    vtkTimeVaryingReport& report)
+    Cells& cells, const CornerOrder& order, TimeVaryingMesh& mesh, vtkTimeVaryingReport& report)
     : Context(context)
     , Values(*context.Values)
     , Steps{ &first, &second }
@@ -118,7 +128,6 @@ public:
     , NumberOfPoints(first.GetNumberOfPoints())
     , NumberOfCells(first.GetNumberOfCells())
     , HasBoundary(mesh.HasWantedKinds())
-    , Marks(*context.Values, first.GetNumberOfPoints())
     , Points(2 * first.GetNumberOfPoints(), false)
   {
     for (int shape = 0; shape < vtkIsotable::NUMBER_OF_SHAPES; ++shape)
@@ -131,11 +140,7 @@ public:
   {
     const vtkIdType chunks = (this->NumberOfCells + ChunkSize - 1) / ChunkSize;
     this->Chunks.resize(chunks);
-    const bool counted =
-      this->Context.Run(this->NumberOfPoints, 0.1, 0.2,
-        [this](vtkIdType first, vtkIdType last) {
-          this->Marks.Fill(this->Steps[0]->GetCodes(), this->Steps[1]->GetCodes(), first, last);
-        }) &&
+    const bool counted = this->TheCells.MakeMarks(this->Context) &&
       this->Context.Run(chunks, 0.2, 0.6,
         [this](vtkIdType first, vtkIdType last)
         {
@@ -156,7 +161,7 @@ public:
     this->Ids = this->Mesh.AddPoints(
       *this->Steps[0], *this->Steps[1], points, this->Points, this->Planarity.IsStatic());
     this->NoteReport(points.GetBytes());
-    this->Marks.Free();
+    this->TheCells.FreeMarks();
     this->Allocate();
     if (!this->Context.Run(chunks, 0.6, 1.0,
           [this](vtkIdType first, vtkIdType last)
@@ -231,7 +236,7 @@ private:
     const vtkIdType begin = number * ChunkSize;
     const vtkIdType end = std::min(begin + ChunkSize, this->NumberOfCells);
     std::vector<vtkIdType> near;
-    this->TheCells.FindNear(begin, end, this->Marks, near, chunk.Report);
+    this->TheCells.FindNear(begin, end, near, chunk.Report);
     chunk.Report.CellsVisited = end - begin;
     TimeVaryingCell cell;
     for (const vtkIdType id : near)
@@ -408,7 +413,7 @@ private:
         this->Report.TableCasesMade += table ? table->GetNumberOfCasesMade() : 0;
       }
     }
-    bytes += this->Marks.GetBytes() + this->Points.GetBytes() + this->Ids.GetBytes() +
+    bytes += this->TheCells.GetMarkBytes() + this->Points.GetBytes() + this->Ids.GetBytes() +
       this->Mesh.GetBytes() + this->Steps[0]->GetBytes() + this->Steps[1]->GetBytes();
     for (const Chunk& chunk : this->Chunks)
     {
@@ -445,7 +450,7 @@ private:
       const bool isInverted = this->IsInverted(cell);
       const auto& simplices = found.IsPlain ? found.Case->Simplices : place.Own.GetSimplices();
       const bool isMerged = !found.IsPlain && place.Own.IsMerged;
-      this->WriteSimplices(cell, found.Item, simplices, ids, isInverted, isMerged, next);
+      this->WriteSimplices(cell, found, place, ids, isInverted, next);
       for (std::size_t s = 0; isMerged && s < simplices.size(); ++s)
       {
         if (this->Slots[cell.Shape].IsAboveFace(simplices[s]))
@@ -467,41 +472,43 @@ private:
     return (sign != 0 ? sign : this->Orientations[1].GetSign(cell.Shape, cell.Ids)) < 0;
   }
 
-  void WriteSimplices(const TimeVaryingCell& cell, int item, const std::vector<Simplex>& simplices,
-    const vtkIdType* ids, bool isInverted, bool isTied, vtkIdType next)
+  void WriteSimplices(const TimeVaryingCell& cell, const Found& found, Workplace& place,
+    const vtkIdType* ids, bool isInverted, vtkIdType next)
   {
     TimeVaryingMesh::Slab& slab = this->Mesh.GetSlab();
-    const TimeVaryingSlots& slots = this->Slots[cell.Shape];
-    const bool isDuplicate = this->TheCells.IsDuplicate(cell.Id);
-    const unsigned planar = this->MarksFlat ? this->Planarity.GetPlanar(cell, slots) : 0;
-    for (std::size_t s = 0; s < simplices.size() && slab.Simplices.GetSize() > 0; ++s, ++next)
+    const auto& simplices = found.IsPlain ? found.Case->Simplices : place.Own.GetSimplices();
+    const std::size_t number = slab.Simplices.GetSize() > 0 ? simplices.size() : 0;
+    // The first two points change places in a left-handed cell.
+    const int first = isInverted ? 1 : 0;
+    for (std::size_t s = 0; s < number; ++s)
     {
-      // The first two points change places in a left-handed cell.
-      Simplex turned = simplices[s];
-      if (isInverted)
+      const Simplex& slots = simplices[s];
+      slab.Simplices[next + s] = { { ids[slots[first]], ids[slots[1 - first]], ids[slots[2]],
+        ids[slots[3]], ids[slots[4]] } };
+    }
+    const auto note = [next, number](auto& values, auto value)
+    {
+      if (values.GetSize() > 0)
       {
-        std::swap(turned[0], turned[1]);
+        std::fill_n(values.GetData() + next, number, value);
       }
-      for (int p = 0; p < 5; ++p)
-      {
-        slab.Simplices[next][p] = ids[turned[p]];
-      }
-      if (slab.Items.GetSize() > 0)
-      {
-        slab.Items[next] = item;
-      }
-      if (slab.Flats.GetSize() > 0)
-      {
-        slab.Flats[next] = this->MarksFlat ? slots.FindFlat(turned, planar) : std::uint8_t(0);
-      }
-      if (slab.Ties.GetSize() > 0)
-      {
-        slab.Ties[next] = isTied;
-      }
-      if (slab.Duplicates.GetSize() > 0)
-      {
-        slab.Duplicates[next] = isDuplicate;
-      }
+    };
+    note(slab.Items, found.Item);
+    note(slab.Ties, static_cast<std::uint8_t>(!found.IsPlain && place.Own.IsMerged));
+    note(slab.Duplicates, static_cast<std::uint8_t>(this->TheCells.IsDuplicate(cell.Id)));
+    if (!this->MarksFlat)
+    {
+      note(slab.Flats, std::uint8_t(0));
+      return;
+    }
+    const TimeVaryingSlots& meaning = this->Slots[cell.Shape];
+    const unsigned planar = this->Planarity.GetPlanar(cell, meaning);
+    const std::uint8_t* const known =
+      found.IsPlain ? place.GetFlats().Find(*found.Case, meaning, planar).data() : nullptr;
+    for (std::size_t s = 0; s < number; ++s)
+    {
+      const std::uint8_t flat = known ? known[s] : meaning.FindFlat(simplices[s], planar);
+      slab.Flats[next + s] = isInverted ? FlatSides::Turn(flat) : flat;
     }
   }
 
@@ -580,7 +587,7 @@ private:
   const ExtractionContext& Context;
   const ExtractionValues& Values;
   const TimeStep* Steps[2];
-  const Cells& TheCells;
+  Cells& TheCells;
   const CornerOrder& Order;
   CellOrientation Orientations[2];
   FacePlanarity Planarity;
@@ -591,7 +598,6 @@ private:
   bool HasBoundary;
   bool MarksFlat = false;
   std::vector<TimeVaryingSlots> Slots;
-  PointMarks Marks;
   CrossingLists Points;
   // The id in the mesh of each point of the slab.
   ExtractionBuffer<vtkIdType> Ids;
@@ -606,8 +612,8 @@ bool ExtractUnstructured(const ExtractionContext& context, const TimeStep& first
   vtkCellArray* stored = first.GetUnstructuredGrid()->GetCells();
   const auto offsets = ArrayViews::Get<Array>(stored->GetOffsetsArray());
   const auto ids = ArrayViews::Get<Array>(stored->GetConnectivityArray());
-  const TimeVaryingUnstructured<typename Array::ValueType> cells(
-    first, second, offsets->GetPointer(0), ids->GetPointer(0));
+  TimeVaryingUnstructured<typename Array::ValueType> cells(
+    first, second, *context.Values, offsets->GetPointer(0), ids->GetPointer(0));
   return Extractor<std::decay_t<decltype(cells)>>(
     context, first, second, cells, cells.GetOrder(), mesh, report)
     .Execute();
@@ -624,7 +630,7 @@ bool TimeVaryingExtraction::Execute(const ExtractionContext& context, const Time
       report.LowerDimensionalCells += first.GetNumberOfCells();
       return true;
     }
-    const TimeVaryingRows cells(first, second);
+    TimeVaryingRows cells(first, second, *context.Values);
     // The corners of rows ascend in the order of their ids.
     const vtkNew<vtkPointData> noOrder;
     return Extractor<TimeVaryingRows>(
