@@ -5,7 +5,6 @@
 #include "Common/GridCells.h"
 #include "Scalars/ExtractionDispatch.h"
 #include "Scalars/ExtractionScalars.h"
-#include "Scalars/RowKernels.h"
 #include "Static/ExtractionLinearizer.h"
 #include "Static/GhostCells.h"
 
@@ -160,10 +159,11 @@ bool TimeStep::MakeCodes(const ExtractionContext& context, double from, double t
     {
       ExtractionValues::Code* codes = this->Codes.GetData() + first;
       scalars->Classify(first, last - first, codes);
-      ExtractionValues::Code least;
-      ExtractionValues::Code greatest;
-      ExtractionValues::Code bits;
-      RowKernels::Summarize(codes, last - first, least, greatest, bits);
+      ExtractionValues::Code bits = 0;
+      for (vtkIdType p = 0; p < last - first; ++p)
+      {
+        bits = static_cast<ExtractionValues::Code>(bits | codes[p]);
+      }
       if (ExtractionValues::IsTie(bits))
       {
         this->Ties = true;

@@ -97,19 +97,12 @@ std::uint8_t TimeVaryingSlots::FindFlat(const Simplex& simplex, unsigned planar)
     flat |= common ? 1u << a : 0u;
     for (int b = a + 1; b < 5; ++b)
     {
-      // The pair is one corner or two, in which case a third point may lie between them.
       const unsigned pair = support[a] | support[b];
       const unsigned left = all & ~(1u << a) & ~(1u << b);
-      if (DropBit(pair) == 0)
+      flat |= DropBit(pair) == 0 ? left : 0u;
+      for (int c = b + 1; c < 5; ++c)
       {
-        flat |= left;
-      }
-      else if (DropBit(DropBit(pair)) == 0)
-      {
-        for (int c = b + 1; c < 5; ++c)
-        {
-          flat |= (support[c] & ~pair) == 0 ? left & ~(1u << c) : 0u;
-        }
+        flat |= DropBit(DropBit(pair | support[c])) == 0 ? left & ~(1u << c) : 0u;
       }
     }
   }
