@@ -9,6 +9,7 @@
 #include "TimeVarying/SliceChunk.h"
 #include "TimeVarying/SliceFaces.h"
 #include "TimeVarying/SlicedSimplex.h"
+#include "TimeVarying/SortedSimplices.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -20,8 +21,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <array>
 #include <memory>
-#include <utility>
+#include <type_traits>
 
 namespace interlume
 {
@@ -62,8 +64,9 @@ bool IsCollapsed(const vtkIsotable::Simplex& tetrahedron, const SlicePoint* poin
 }
 
 // Adds a tetrahedron of a cell; \a places has the place of each slot's point.
+template <typename Id>
 void AddTetrahedron(const vtkIsotable::Simplex& slots, const std::uint16_t* places, bool isInverted,
-  std::uint16_t cell, SliceChunkBuilder& builder)
+  std::uint16_t cell, SliceChunkBuilder<Id>& builder)
 {
   const int first = isInverted ? 1 : 0;
   builder.Add(
@@ -71,6 +74,8 @@ void AddTetrahedron(const vtkIsotable::Simplex& slots, const std::uint16_t* plac
       cell });
 }
 
+// Array is the type of the cell array's numbers.
+template <typename Array>
 class Slicer
 {
 public:
@@ -89,34 +94,10 @@ public:
   bool Execute()
   {
     vtkCellArray* stored = this->Grid->GetCells();
-    if (this->Grid->GetNumberOfCells() == 0)
-    {
-      // A grid that was given none has no cell array.
-      return true;
-    }
-    return GridCells::IsNarrow(stored->GetConnectivityArray())
-      ? this->Execute<GridCells::NarrowIds>(stored)
-      : this->Execute<GridCells::WideIds>(stored);
-  }
-
-private:
-  // The cells as they are stored.
-  template <typename Id>
-  struct Cells
-  {
-    const unsigned char* Types;
-    const Id* Offsets;
-    const Id* Ids;
-  };
-
-  template <typename Array>
-  bool Execute(vtkCellArray* stored)
-  {
     const auto types = GridCells::GetTypes(this->Grid);
     const auto offsets = ArrayViews::Get<Array>(stored->GetOffsetsArray());
     const auto ids = ArrayViews::Get<Array>(stored->GetConnectivityArray());
-    const Cells<typename Array::ValueType> all{ types->GetPointer(0), offsets->GetPointer(0),
-      ids->GetPointer(0) };
+    const Cells all{ types->GetPointer(0), offsets->GetPointer(0), ids->GetPointer(0) };
     const vtkIdType points = this->Grid->GetNumberOfPoints();
     const vtkIdType cells = this->Grid->GetNumberOfCells();
     const vtkIdType chunks = (cells + SliceChunk::Size - 1) / SliceChunk::Size;
@@ -161,48 +142,87 @@ private:
     return forEachChunk(0.5, 0.8, [this](vtkIdType chunk) { this->WriteChunk(chunk); });
   }
 
-  template <typename Id>
-  void CountChunk(vtkIdType number, const Cells<Id>& cells)
+private:
+  using Id = typename Array::ValueType;
+  using Builder = SliceChunkBuilder<Id>;
+  // Vertices with a bit more fit 32 bits without a sign, or 64 bits with one.
+  using Key = std::conditional_t<sizeof(Id) == 4, std::uint32_t, std::int64_t>;
+  using Batch = SortedSimplices<Key>;
+
+  // The cells as they are stored.
+  struct Cells
   {
-    Chunk& chunk = this->Chunks[number];
-    SliceChunkBuilder& builder = this->Builders.Local();
-    CrossingLists::Arena& arena = this->Lists.GetArena();
+    const unsigned char* Types;
+    const Id* Offsets;
+    const Id* Ids;
+  };
+
+  // A chunk as a thread fills it.
+  struct Work
+  {
+    Chunk& Made;
+    Builder& Points;
+    CrossingLists::Arena& Arena;
+    const vtkIdType Begin;
+    // Cells that are crossed and have no ties are counted some at a time, before the next that has.
+    Batch Plain;
+    std::array<std::uint16_t, Batch::Size> Positions;
+  };
+
+  void CountChunk(vtkIdType number, const Cells& cells)
+  {
     const vtkIdType begin = number * SliceChunk::Size;
     const vtkIdType end = std::min(begin + SliceChunk::Size, this->Grid->GetNumberOfCells());
-    builder.Begin();
+    Work work{ this->Chunks[number], this->Builders.Local(), this->Lists.GetArena(), begin, {},
+      {} };
+    const bool isById = this->Order.IsById();
+    work.Points.Begin();
     for (vtkIdType cell = begin; cell < end; ++cell)
     {
       const Id* const ids = cells.Ids + cells.Offsets[cell];
       if (cells.Types[cell] != VTK_POLY_VERTEX ||
         cells.Offsets[cell + 1] - cells.Offsets[cell] != SimplexSize)
       {
-        chunk.WrongCell = cell;
+        work.Made.WrongCell = cell;
         return;
       }
-      Code codes[SimplexSize];
-      std::transform(ids, ids + SimplexSize, codes, [this](Id id) { return this->Codes[id]; });
-      bool hasTies = false;
-      const Meeting meeting = this->Meet(cell, codes, hasTies);
-      if (meeting == Meeting::None || (this->Context.HasBlanking() && this->IsBlanked(cell, ids)))
+      // The numbers of vertices of each code, four bits each.
+      unsigned int met = 0;
+      bool areAbove[SimplexSize];
+      for (int v = 0; v < SimplexSize; ++v)
+      {
+        const Code code = this->Codes[ids[v]];
+        met += 1u << (4 * code);
+        areAbove[v] = code >= AboveValue;
+      }
+      constexpr unsigned int below = 0xf;
+      constexpr unsigned int above = 0xf << (4 * AboveValue);
+      const bool isPlain = (met & ~(below | above)) == 0;
+      if (isPlain && ((met & below) == 0 || (met & above) == 0))
       {
         continue;
       }
-      const std::uint16_t position = static_cast<std::uint16_t>(cell - begin);
-      SlicedSimplex simplex;
-      if (hasTies || !this->Order.IsById() || !simplex.SortById(ids, codes))
+      if (this->Context.HasBlanking() && this->IsBlanked(cell, ids))
       {
-        simplex.Sort(ids, codes, this->Order, meeting);
-        this->CountTied(position, simplex, meeting, this->GetInterval(cell), chunk, builder, arena);
+        continue;
       }
-      else
+      if (!isPlain || !isById)
       {
-        this->CountPlain(position, simplex, builder, arena);
+        this->CountPlain(work, cells);
+        this->CountTied(cell, cells, work);
+        continue;
+      }
+      work.Positions[work.Plain.Number] = static_cast<std::uint16_t>(cell - begin);
+      work.Plain.Add(ids, areAbove);
+      if (work.Plain.Number == Batch::Size)
+      {
+        this->CountPlain(work, cells);
       }
     }
-    static_cast<SliceChunk&>(chunk) = builder.Finish();
+    this->CountPlain(work, cells);
+    work.Points.Finish(work.Made);
   }
 
-  template <typename Id>
   bool IsBlanked(vtkIdType cell, const Id* ids) const
   {
     return this->Context.IsCellBlanked(cell) ||
@@ -210,7 +230,7 @@ private:
         ids, ids + SimplexSize, [this](Id point) { return this->Context.IsPointBlanked(point); });
   }
 
-  Meeting Meet(vtkIdType cell, const Code* codes, bool& hasTies) const
+  Meeting Meet(vtkIdType cell, const Code* codes) const
   {
     Code least = AboveValue;
     Code greatest = 0;
@@ -225,7 +245,6 @@ private:
     {
       return Meeting::None;
     }
-    hasTies = numberAt > 0;
     if (numberAt == SimplexSize)
     {
       return this->GetPart(cell) == Parts::TETRAHEDRON_AT_STEP ? Meeting::Lies : Meeting::None;
@@ -250,28 +269,49 @@ private:
     return this->Intervals ? static_cast<vtkIdType>(this->Intervals->GetComponent(cell, 0)) : 0;
   }
 
-  // Counts a 4-simplex of five vertices in ascending order of their ids, none at the value: no two
-  // points of its slice are one.
-  void CountPlain(std::uint16_t position, const SlicedSimplex& simplex, SliceChunkBuilder& builder,
-    CrossingLists::Arena& arena)
+  // Counts the cells that wait for it: no two points of a slice are one, but where a vertex of the
+  // cell is there twice.
+  void CountPlain(Work& work, const Cells& cells)
   {
-    const Case& what = this->Cases[simplex.FindAbove(AtValue)];
-    std::uint16_t places[6];
-    for (int slot = 0; slot < what.NumberOfSlots; ++slot)
+    Batch& batch = work.Plain;
+    SimplexSorting::Sort(batch);
+    for (int s = 0; s < batch.Number; ++s)
     {
-      const auto& [near, far] = what.Edges[slot];
-      places[slot] =
-        builder.Find(simplex.GetId(near), CrossingKey(simplex.GetId(far), 0), this->Lists, arena);
+      const std::uint16_t position = work.Positions[s];
+      if (batch.HasEqual[s] != 0)
+      {
+        this->CountTied(work.Begin + position, cells, work);
+        continue;
+      }
+      const Case& what = this->Cases[batch.Above[s]];
+      std::uint16_t places[6];
+      for (int slot = 0; slot < what.NumberOfSlots; ++slot)
+      {
+        const auto& [near, far] = what.Edges[slot];
+        places[slot] = work.Points.Find(
+          batch.GetId(near, s), CrossingKey(batch.GetId(far, s), 0), this->Lists, work.Arena);
+      }
+      for (int t = 0; t < what.NumberOfTetrahedra; ++t)
+      {
+        AddTetrahedron(what.Tetrahedra[t], places, batch.IsOdd[s] != 0, position, work.Points);
+      }
     }
-    for (int t = 0; t < what.NumberOfTetrahedra; ++t)
-    {
-      AddTetrahedron(what.Tetrahedra[t], places, simplex.IsInverted(), position, builder);
-    }
+    batch.Number = 0;
   }
 
-  void CountTied(std::uint16_t position, const SlicedSimplex& simplex, Meeting meeting,
-    vtkIdType interval, Chunk& chunk, SliceChunkBuilder& builder, CrossingLists::Arena& arena)
+  // Counts a cell of which slots may be one point.
+  void CountTied(vtkIdType cell, const Cells& cells, Work& work)
   {
+    const Id* const ids = cells.Ids + cells.Offsets[cell];
+    Code codes[SimplexSize];
+    std::transform(ids, ids + SimplexSize, codes, [this](Id id) { return this->Codes[id]; });
+    const Meeting meeting = this->Meet(cell, codes);
+    if (meeting == Meeting::None)
+    {
+      return;
+    }
+    SlicedSimplex simplex;
+    simplex.Sort(ids, codes, this->Order, meeting);
     // Where a 4-simplex begins, its slice is the limit of those above the value.
     const Code first =
       meeting == Meeting::Begins || meeting == Meeting::Lies ? AboveValue : AtValue;
@@ -291,17 +331,19 @@ private:
       std::uint16_t places[6];
       for (const Slot slot : slots)
       {
-        places[slot] = builder.Find(points[slot].Owner, points[slot].Key, this->Lists, arena);
+        places[slot] =
+          work.Points.Find(points[slot].Owner, points[slot].Key, this->Lists, work.Arena);
       }
       if (meeting != Meeting::Crosses)
       {
         // All four points are vertices.
-        chunk.Places.push_back(builder.GetNumberOfTetrahedra());
-        chunk.Faces.push_back(
-          { { { points[0].Owner, points[1].Owner, points[2].Owner, points[3].Owner } }, interval,
-            meeting });
+        work.Made.Places.push_back(work.Points.GetNumberOfTetrahedra());
+        work.Made.Faces.push_back(
+          { { { points[0].Owner, points[1].Owner, points[2].Owner, points[3].Owner } },
+            this->GetInterval(cell), meeting });
       }
-      AddTetrahedron(slots, places, simplex.IsInverted(), position, builder);
+      AddTetrahedron(slots, places, simplex.IsInverted(),
+        static_cast<std::uint16_t>(cell - work.Begin), work.Points);
     }
   }
 
@@ -332,11 +374,11 @@ private:
     const Chunk& chunk = this->Chunks[number];
     const auto write = [&chunk](auto* values)
     {
-      using Id = std::decay_t<decltype(*values)>;
-      std::vector<Id> ids(chunk.Nodes.size());
+      using Stored = std::decay_t<decltype(*values)>;
+      std::vector<Stored> ids(chunk.Nodes.size());
       std::transform(chunk.Nodes.begin(), chunk.Nodes.end(), ids.begin(),
-        [](const CrossingLists::Node* node) { return static_cast<Id>(node->Id); });
-      Id* next = values + 4 * chunk.First;
+        [](const CrossingLists::Node* node) { return static_cast<Stored>(node->Id); });
+      Stored* next = values + 4 * chunk.First;
       for (const SliceChunk::Tetrahedron& tetrahedron : chunk.Tetrahedra)
       {
         for (const std::uint16_t point : tetrahedron.Points)
@@ -367,7 +409,7 @@ private:
   CrossingLists Lists;
   const std::array<Case, 32>& Cases = SimplexSliceTable::GetAll();
   std::vector<Chunk> Chunks;
-  vtkSMPThreadLocal<SliceChunkBuilder> Builders;
+  vtkSMPThreadLocal<Builder> Builders;
   SimplexSlicer::Slice& Slice;
 };
 }
@@ -375,7 +417,14 @@ private:
 bool SimplexSlicer::Execute(
   const ExtractionContext& context, vtkUnstructuredGrid* grid, Slice& slice)
 {
-  return Slicer(context, grid, slice).Execute();
+  if (grid->GetNumberOfCells() == 0)
+  {
+    // A grid that was given none has no cell array.
+    return true;
+  }
+  return GridCells::IsNarrow(grid->GetCells()->GetConnectivityArray())
+    ? Slicer<GridCells::NarrowIds>(context, grid, slice).Execute()
+    : Slicer<GridCells::WideIds>(context, grid, slice).Execute();
 }
 
 }

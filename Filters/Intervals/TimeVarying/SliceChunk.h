@@ -5,7 +5,9 @@
 #include "Static/CrossingLists.h"
 #include "vtkType.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -42,58 +44,73 @@ struct SliceChunk
  * @brief   what one thread needs to fill chunks: room, and the points that it met last
  *
  * 4-simplices in a row have most of their points in common, so that few of them are looked for in
- * the lists. A point that was forgotten meanwhile has a second place in the chunk, to no effect.
+ * the lists. A point that was forgotten meanwhile has a second place in the chunk, to no effect. \a
+ * Id is the type of the grid's point ids.
  */
+template <typename Id>
 class SliceChunkBuilder
 {
 public:
   SliceChunkBuilder()
     : Entries(std::size_t(1) << EntryBits)
+    , Tetrahedra(MaximumNumberOfTetrahedra)
   {
   }
 
   void Begin()
   {
-    this->Entries.assign(this->Entries.size(), Entry());
-    this->Made.Nodes.clear();
-    this->Made.Tetrahedra.clear();
+    std::fill(this->Entries.begin(), this->Entries.end(), Entry());
+    this->Nodes.clear();
+    this->NumberOfTetrahedra = 0;
   }
 
   /// Returns the place of a point in the chunk.
   std::uint16_t Find(
     vtkIdType owner, CrossingKey key, CrossingLists& lists, CrossingLists::Arena& arena)
   {
+    // No edge goes to point 0, which is its own owner: the far end tells one key from another.
+    const Id near = static_cast<Id>(owner);
+    const Id far = static_cast<Id>(key.GetFar());
     const std::uint64_t hash = static_cast<std::uint64_t>(owner + key.GetFar() * 0x2c9277b5);
     Entry& entry = this->Entries[(hash * 0x9e3779b97f4a7c15) >> (64 - EntryBits)];
-    if (entry.Owner != owner || entry.Key != key)
+    if (entry.Owner != near || entry.Far != far)
     {
-      entry = { owner, key, static_cast<std::uint16_t>(this->Made.Nodes.size()) };
-      this->Made.Nodes.push_back(lists.Enter(owner, key, arena));
+      entry = { near, far, static_cast<std::uint16_t>(this->Nodes.size()) };
+      this->Nodes.push_back(lists.Enter(owner, key, arena));
     }
     return entry.Place;
   }
 
+  /// Adds a tetrahedron; a cell has at most three.
   void Add(const SliceChunk::Tetrahedron& tetrahedron)
   {
-    this->Made.Tetrahedra.push_back(tetrahedron);
+    this->Tetrahedra[this->NumberOfTetrahedra++] = tetrahedron;
   }
-  std::size_t GetNumberOfTetrahedra() const { return this->Made.Tetrahedra.size(); }
+  std::size_t GetNumberOfTetrahedra() const { return this->NumberOfTetrahedra; }
 
-  /// Returns the chunk, without the room for more.
-  SliceChunk Finish() const { return this->Made; }
+  /// Gives a chunk what was made, without the room for more.
+  void Finish(SliceChunk& chunk) const
+  {
+    const auto begin = this->Tetrahedra.begin();
+    chunk.Nodes = this->Nodes;
+    chunk.Tetrahedra.assign(begin, begin + static_cast<std::ptrdiff_t>(this->NumberOfTetrahedra));
+  }
 
 private:
   static constexpr int EntryBits = 10;
+  static constexpr std::size_t MaximumNumberOfTetrahedra = 3 * SliceChunk::Size;
 
   struct Entry
   {
-    vtkIdType Owner = -1;
-    CrossingKey Key;
+    Id Owner = -1;
+    Id Far = 0;
     std::uint16_t Place = 0;
   };
 
   std::vector<Entry> Entries;
-  SliceChunk Made;
+  std::vector<const CrossingLists::Node*> Nodes;
+  std::vector<SliceChunk::Tetrahedron> Tetrahedra;
+  std::size_t NumberOfTetrahedra = 0;
 };
 
 }

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <utility>
 
 namespace interlume
@@ -54,41 +53,7 @@ public:
   static constexpr Code AtValue = 1;
   static constexpr Code AboveValue = 2;
 
-  /// Sorts a 4-simplex where the order is that of the ids; returns false where two are equal.
-  template <typename Id>
-  bool SortById(const Id* ids, const Code* codes)
-  {
-    std::uint64_t keys[Size];
-    for (int v = 0; v < Size; ++v)
-    {
-      keys[v] = (static_cast<std::uint64_t>(ids[v]) << CodeBits) | codes[v];
-    }
-    // A network of exchanges has no branches, which could not be predicted.
-    constexpr std::array<std::array<int, 2>, 9> network = { { { { 0, 3 } }, { { 1, 4 } },
-      { { 0, 2 } }, { { 1, 3 } }, { { 0, 1 } }, { { 2, 4 } }, { { 1, 2 } }, { { 3, 4 } },
-      { { 2, 3 } } } };
-    bool isOdd = false;
-    for (const auto& [a, b] : network)
-    {
-      const std::uint64_t first = keys[a];
-      const std::uint64_t second = keys[b];
-      const bool isTurned = second < first;
-      keys[a] = isTurned ? second : first;
-      keys[b] = isTurned ? first : second;
-      isOdd ^= isTurned;
-    }
-    bool isDistinct = true;
-    for (int v = 0; v < Size; ++v)
-    {
-      this->Ids[v] = static_cast<vtkIdType>(keys[v] >> CodeBits);
-      this->Codes[v] = static_cast<Code>(keys[v] & ((1u << CodeBits) - 1));
-      isDistinct &= v == 0 || keys[v - 1] != keys[v];
-    }
-    this->IsOdd = isOdd;
-    return isDistinct;
-  }
-
-  /// Sorts a 4-simplex by any order; of equal ids the first one is the lower.
+  /// Sorts a 4-simplex; of equal ids the first one is the lower.
   template <typename Id>
   void Sort(const Id* stored, const Code* codes, const CornerOrder& order, SliceMeeting meeting)
   {
@@ -113,7 +78,6 @@ public:
     }
   }
 
-  vtkIdType GetId(Slot vertex) const { return this->Ids[vertex]; }
   /// Returns whether it took an odd number of exchanges to sort it.
   bool IsInverted() const { return this->IsOdd; }
 
@@ -143,9 +107,6 @@ public:
   }
 
 private:
-  // Codes of one value, with that of values that are not finite, have so many bits.
-  static constexpr int CodeBits = 2;
-
   vtkIdType Ids[Size];
   Code Codes[Size];
   bool IsOdd;
