@@ -13,6 +13,7 @@
 #include "vtkUnstructuredGrid.h"
 #include "vtkVersion.h"
 
+#include <algorithm>
 #include <string>
 
 namespace interlume
@@ -50,6 +51,13 @@ public:
   {
     vtkDataArray* stored = GetStoredTypes(grid);
     return stored ? ArrayViews::Get<Types>(stored) : vtkSmartPointer<Types>::New();
+  }
+
+  /// Returns whether all of \a number cells are of one type; there is at least one.
+  static bool AreOfOneType(const unsigned char* types, vtkIdType number)
+  {
+    // Each is compared with the next one, which is done many at a time.
+    return std::equal(types + 1, types + number, types);
   }
 
   /// Returns whether ids are stored in 32 bits.

@@ -10,6 +10,8 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 
+#include <algorithm>
+
 namespace interlume
 {
 
@@ -17,7 +19,7 @@ class SoupArrays::Writer
 {
 public:
   virtual ~Writer() = default;
-  /// Appends the values of \a points to those of a part.
+  /// Writes the values of \a points into a part that has room for them.
   virtual void Interpolate(
     const ExtractionPoint* points, std::size_t number, SoupPart& part) const = 0;
   virtual void Allocate(vtkIdType corners) const = 0;
@@ -40,10 +42,7 @@ public:
 
   void Interpolate(const ExtractionPoint* points, std::size_t number, SoupPart& part) const override
   {
-    std::vector<Out>& values = part.GetValues<Out>();
-    const std::size_t place = values.size();
-    values.resize(place + this->Components * number);
-    this->In->Interpolate(points, number, values.data() + place);
+    this->In->Interpolate(points, number, part.GetValues<Out>().GetData() + this->Place * number);
   }
 
   void Allocate(vtkIdType corners) const override
@@ -71,11 +70,13 @@ private:
   void Write(SoupPart& part, vtkIdType first) const
   {
     const int size = Known ? Known : this->Components;
-    const Out* values = part.GetValues<Out>().data() + this->Place * part.NumberOfEntries;
+    const Out* values = part.GetValues<Out>().GetData() + this->Place * part.NumberOfEntries;
     Out* out = this->Result->GetPointer(first * size);
-    for (const SoupPart::Index corner : part.Corners)
+    const SoupPart::Index* const corners = part.Corners.GetData();
+    const std::size_t number = part.Corners.GetSize();
+    for (std::size_t corner = 0; corner < number; ++corner)
     {
-      const Out* value = values + static_cast<std::size_t>(corner) * size;
+      const Out* value = values + static_cast<std::size_t>(corners[corner]) * size;
       for (int c = 0; c < size; ++c)
       {
         *out++ = value[c];
@@ -125,17 +126,21 @@ SoupPart SoupArrays::Interpolate(const SoupBuilder& builder) const
   const ExtractionPoint* points = builder.GetPoints();
   const std::size_t number = builder.GetNumberOfPoints();
   SoupPart part;
-  part.Corners = builder.GetCorners();
+  const std::size_t corners = builder.GetNumberOfCorners();
+  part.Corners.Allocate(corners);
+  std::copy_n(builder.GetCorners(), corners, part.Corners.GetData());
   part.NumberOfEntries = number;
-  part.Floats.reserve(this->FloatComponents * number);
-  part.Doubles.reserve(this->DoubleComponents * number);
+  part.Floats.Allocate(this->FloatComponents * number);
+  part.Doubles.Allocate(this->DoubleComponents * number);
   for (const auto& writer : this->Writers)
   {
     writer->Interpolate(points, number, part);
   }
-  for (std::size_t p = 0; this->Arrays.HasOthers() && p < number; ++p)
+  if (this->Arrays.HasOthers())
   {
-    part.Nearer.push_back(points[p].Near);
+    part.Nearer.Allocate(number);
+    std::transform(points, points + number, part.Nearer.GetData(),
+      [](const ExtractionPoint& point) { return point.Near; });
   }
   return part;
 }
@@ -159,7 +164,7 @@ void SoupArrays::Write(SoupPart& part, vtkIdType first)
   {
     writer->Write(part, first);
   }
-  for (std::size_t c = 0; this->Arrays.HasOthers() && c < part.Corners.size(); ++c)
+  for (std::size_t c = 0; this->Arrays.HasOthers() && c < part.Corners.GetSize(); ++c)
   {
     this->Nearer[first + c] = part.Nearer[part.Corners[c]];
   }

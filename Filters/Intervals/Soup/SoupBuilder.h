@@ -8,7 +8,9 @@
 
 #include "vtkIsotable.h"
 
-#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace interlume
 {
@@ -29,37 +31,31 @@ public:
   void Begin()
   {
     this->Number = 0;
-    this->Corners.clear();
+    this->NumberOfCorners = 0;
+    this->Recent.assign(std::size_t(1) << TableBits, Known());
   }
 
-  /// Makes sure that the points of one cut more find room.
+  /// Makes sure that one cut more finds room.
   void Reserve()
   {
     if (this->Number + vtkIsotable::MaximumNumberOfSlots > this->Points.size())
     {
       this->Points.resize(2 * this->Points.size() + vtkIsotable::MaximumNumberOfSlots);
-      this->Keys.resize(this->Points.size());
     }
   }
 
   /// Returns the index of a point, which is given as in CrossingLists.
   Index Enter(vtkIdType owner, CrossingKey key)
   {
-    Index& recent = this->Recent[GetHash(owner, key)];
-    const Index at = recent;
-    if (at < this->Number && this->Keys[at].Owner == owner && this->Keys[at].Crossing == key)
+    Known& recent = this->Recent[GetHash(owner, key)];
+    if (recent.Owner == owner && recent.Crossing == key)
     {
-      return at;
+      return recent.At;
     }
-    recent = this->Number++;
-    this->Keys[recent].Owner = owner;
-    this->Keys[recent].Crossing = key;
-    const bool isCrossing = key != CrossingKey();
-    ExtractionPoint& point = this->Points[recent];
-    point.Near = owner;
-    point.Far = isCrossing ? key.GetFar() : owner;
-    point.Weight = static_cast<double>(key.GetValue());
-    return recent;
+    recent = { owner, key, this->Number };
+    const vtkIdType far = key == CrossingKey() ? owner : key.GetFar();
+    this->Points[this->Number] = { owner, far, static_cast<double>(key.GetValue()) };
+    return this->Number++;
   }
 
   /// Adds the triangles of a cut; \a points has the index of each slot.
@@ -67,9 +63,13 @@ public:
     const vtkIsotable::Simplex* triangles, std::size_t number, const Index* points, bool isInverted)
   {
     const int first = isInverted ? 1 : 0;
-    const std::size_t place = this->Corners.size();
-    this->Corners.resize(place + 3 * number);
-    Index* corner = this->Corners.data() + place;
+    const std::size_t end = this->NumberOfCorners + 3 * number;
+    if (end > this->Corners.size())
+    {
+      this->Corners.resize(2 * end);
+    }
+    Index* corner = this->Corners.data() + this->NumberOfCorners;
+    this->NumberOfCorners = end;
     for (std::size_t t = 0; t < number; ++t, corner += 3)
     {
       corner[0] = points[triangles[t][first]];
@@ -84,16 +84,21 @@ public:
   const ExtractionPoint* GetPoints() const { return this->Points.data(); }
   std::size_t GetNumberOfPoints() const { return this->Number; }
   ///@}
-  /// Returns the points of the corners, three for each triangle.
-  const std::vector<Index>& GetCorners() const { return this->Corners; }
+  ///@{
+  /// Return the points of the corners, three for each triangle, and their number.
+  const Index* GetCorners() const { return this->Corners.data(); }
+  std::size_t GetNumberOfCorners() const { return this->NumberOfCorners; }
+  ///@}
 
 private:
   static constexpr int TableBits = 10;
 
-  struct Key
+  // A point and its index.
+  struct Known
   {
-    vtkIdType Owner;
+    vtkIdType Owner = -1;
     CrossingKey Crossing;
+    Index At = 0;
   };
 
   static std::size_t GetHash(vtkIdType owner, CrossingKey crossing)
@@ -104,12 +109,12 @@ private:
     return (0x9E3779B97F4A7C15u * sum) >> (64 - TableBits);
   }
 
-  // There is room for more than the points that there are.
+  // There is room for more than the points and corners that there are.
   std::vector<ExtractionPoint> Points;
-  std::vector<Key> Keys;
-  Index Number = 0;
   std::vector<Index> Corners;
-  std::array<Index, std::size_t(1) << TableBits> Recent{};
+  Index Number = 0;
+  std::size_t NumberOfCorners = 0;
+  std::vector<Known> Recent;
 };
 
 }

@@ -2,12 +2,13 @@
 #ifndef interlume_SoupPart_h
 #define interlume_SoupPart_h
 
+#include "Output/ExtractionBuffer.h"
+
 #include "vtkType.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
-#include <vector>
 
 namespace interlume
 {
@@ -21,20 +22,20 @@ struct SoupPart
   using Index = std::uint32_t;
 
   /// The entries of the corners, three for each triangle.
-  std::vector<Index> Corners;
+  ExtractionBuffer<Index> Corners;
   std::size_t NumberOfEntries = 0;
 
   ///@{
   /// The values of the entries, array after array, by their type.
-  std::vector<float> Floats;
-  std::vector<double> Doubles;
+  ExtractionBuffer<float> Floats;
+  ExtractionBuffer<double> Doubles;
   ///@}
 
   /// The nearer end of each entry, where there are arrays that are not of numbers.
-  std::vector<vtkIdType> Nearer;
+  ExtractionBuffer<vtkIdType> Nearer;
 
   template <typename T>
-  std::vector<T>& GetValues()
+  ExtractionBuffer<T>& GetValues()
   {
     if constexpr (std::is_same<T, float>::value)
     {
@@ -48,8 +49,8 @@ struct SoupPart
 
   std::size_t GetBytes() const
   {
-    return this->Corners.capacity() * sizeof(Index) + this->Floats.capacity() * sizeof(float) +
-      this->Doubles.capacity() * sizeof(double) + this->Nearer.capacity() * sizeof(vtkIdType);
+    return this->Corners.GetBytes() + this->Floats.GetBytes() + this->Doubles.GetBytes() +
+      this->Nearer.GetBytes();
   }
 };
 

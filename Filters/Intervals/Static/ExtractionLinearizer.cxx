@@ -459,7 +459,8 @@ bool ExtractionLinearizer::IsNeeded(vtkDataSet* input)
   const auto stored = GridCells::GetTypes(grid);
   const unsigned char* types = stored->GetPointer(0);
   bool isMet[256] = {};
-  for (vtkIdType cell = 0; cell < number; ++cell)
+  const vtkIdType first = number > 0 && GridCells::AreOfOneType(types, number) ? number - 1 : 0;
+  for (vtkIdType cell = first; cell < number; ++cell)
   {
     isMet[types[cell]] = true;
   }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace interlume
 {
@@ -53,29 +54,47 @@ public:
         [&](const ExtractionValues::Item& item)
         { return !values.IsOutside(item, least, greatest); });
     }
+    for (int code = 0; code < this->NonFinite; ++code)
+    {
+      this->OfCodes.push_back(static_cast<Mark>(1u << (code >> this->Shift)));
+    }
+    this->OfCodes.push_back(NonFiniteMark);
     this->Marks.Allocate(points);
   }
 
   void Fill(const Code* codes, vtkIdType first, vtkIdType last)
   {
+    const Mark* const ofCodes = this->OfCodes.data();
+    Mark* const marks = this->Marks.GetData();
     for (vtkIdType p = first; p < last; ++p)
     {
-      this->Marks[p] = this->GetMark(codes[p]);
+      marks[p] = ofCodes[codes[p]];
     }
   }
 
   /// Computes the union of the marks of each point at two time steps.
   void Fill(const Code* codes, const Code* codesAfter, vtkIdType first, vtkIdType last)
   {
+    const Mark* const ofCodes = this->OfCodes.data();
+    Mark* const marks = this->Marks.GetData();
     for (vtkIdType p = first; p < last; ++p)
     {
-      this->Marks[p] = static_cast<Mark>(this->GetMark(codes[p]) | this->GetMark(codesAfter[p]));
+      marks[p] = static_cast<Mark>(ofCodes[codes[p]] | ofCodes[codesAfter[p]]);
     }
   }
 
   const Mark* GetData() const { return this->Marks.GetData(); }
   void Free() { this->Marks.Free(); }
   std::size_t GetBytes() const { return this->Marks.GetBytes(); }
+
+  /// Returns whether the marks are of one value's codes: below, equal or above.
+  bool AreOfOneValue() const { return this->NonFinite == 3; }
+  ///@{
+  /// Of one value: whether a point's mark says that the value is reached, and whether the marks of
+  /// all corners, or-ed, say that one is equal to it.
+  static bool IsReached(Mark mark) { return mark > 1; }
+  static bool HasTie(Mark all) { return all & 2; }
+  ///@}
 
   /// The following functions take the marks of all corners, or-ed.
   static bool IsNonFinite(Mark all) { return all & NonFiniteMark; }
@@ -85,14 +104,10 @@ private:
   static constexpr int NumberOfRanges = 7;
   static constexpr Mark NonFiniteMark = 1 << NumberOfRanges;
 
-  Mark GetMark(Code code) const
-  {
-    return code == this->NonFinite ? NonFiniteMark : static_cast<Mark>(1u << (code >> this->Shift));
-  }
-
   Code NonFinite;
   int Shift = 0;
   std::array<bool, 256> Near{};
+  std::vector<Mark> OfCodes;
   ExtractionBuffer<Mark> Marks;
 };
 

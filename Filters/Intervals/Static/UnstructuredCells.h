@@ -45,8 +45,7 @@ public:
     const CellCorners& first = this->GetCorners(0);
     const bool isUniform = first.Kind == CellCorners::LINEAR &&
       grid->GetCells()->GetNumberOfConnectivityIds() == cells * first.NumberOfCorners &&
-      std::all_of(this->Types, this->Types + cells,
-        [this](unsigned char type) { return type == this->Types[0]; });
+      GridCells::AreOfOneType(this->Types, cells);
     this->Stride = isUniform ? first.NumberOfCorners : 0;
   }
 
@@ -102,12 +101,17 @@ public:
     }
   }
 
-  /// Calls visit(point) for the first points of a cell, as many as it has corners.
+  /// Calls visit(point) for every second of a cell's corners: in most grids the next one lies
+  /// beside it in memory.
   template <typename Visitor>
-  void ForEachPoint(vtkIdType cell, Visitor&& visit) const
+  void ForEachSecondPoint(vtkIdType cell, Visitor&& visit) const
   {
     const Stored* ids = this->GetFirst(cell);
-    std::for_each_n(ids, this->GetCorners(cell).NumberOfCorners, visit);
+    const int corners = this->GetCorners(cell).NumberOfCorners;
+    for (int v = 0; v < corners; v += 2)
+    {
+      visit(ids[v]);
+    }
   }
 
   /// Gives all points of a cell as they are stored.

@@ -440,13 +440,14 @@ private:
       }
     }
     chunk.Cases.reserve(numberNear);
+    const bool isPlain = soup && this->Marks.AreOfOneValue();
     Cell cell{};
     std::vector<vtkIdType> points;
     for (int c = 0; c < numberNear; ++c)
     {
       if (c + CellsAhead < numberNear && !this->Context.KeepOrientation)
       {
-        this->Cells.ForEachPoint(begin + near[c + CellsAhead],
+        this->Cells.ForEachSecondPoint(begin + near[c + CellsAhead],
           [this](vtkIdType point) { this->Orientation.Prefetch(point); });
       }
       if (this->CountAsWhole(begin + near[c], near[c], chunk, arena, points))
@@ -454,7 +455,10 @@ private:
         continue;
       }
       this->Read(begin + near[c], cell);
-      this->CountCell(cell, near[c], chunk, arena, soup, merged, points);
+      if (!isPlain || !this->CountPlain(cell, near[c], chunk, *soup))
+      {
+        this->CountCell(cell, near[c], chunk, arena, soup, merged, points);
+      }
     }
     if (soup)
     {
@@ -507,6 +511,58 @@ private:
     report.NonFiniteCells += nonFinite;
   }
 
+  // Counts a cell of one value's contour, without shared points, for which the table's own cut
+  // serves: nearly all are. Returns false, and does nothing, where it does not.
+  bool CountPlain(const Cell& cell, vtkIdType position, Chunk& chunk, SoupBuilder& soup) const
+  {
+    return cell.NumberOfCorners == 8 ? this->template CountPlain<8>(cell, position, chunk, soup)
+                                     : this->template CountPlain<0>(cell, position, chunk, soup);
+  }
+
+  template <int Known>
+  bool CountPlain(const Cell& cell, vtkIdType position, Chunk& chunk, SoupBuilder& soup) const
+  {
+    const int corners = Known ? Known : cell.NumberOfCorners;
+    const PointMarks::Mark* const marks = this->Marks.GetData();
+    unsigned all = 0;
+    unsigned key = 0;
+    for (int v = 0; v < corners; ++v)
+    {
+      const PointMarks::Mark mark = marks[cell.Ids[v]];
+      all |= mark;
+      key |= static_cast<unsigned>(PointMarks::IsReached(mark)) << v;
+    }
+    if (!cell.IsAscending || PointMarks::HasTie(static_cast<PointMarks::Mark>(all)))
+    {
+      return false;
+    }
+    const vtkIsotable::Case& what = this->Tables[cell.Shape]->GetCase(static_cast<int>(key));
+    const bool isInverted = this->IsInverted(cell);
+    const Item& item = this->Values.GetItems().front();
+    SoupPart::Index points[vtkIsotable::MaximumNumberOfSlots];
+    soup.Reserve();
+    for (const Slot slot : what.Slots)
+    {
+      vtkIdType owner;
+      const CrossingKey point = this->GetPoint(cell, item, slot, owner);
+      points[slot] = soup.Enter(owner, point);
+    }
+    const std::size_t number = what.Simplices.size();
+    soup.Add(what.Simplices.data(), number, points, isInverted);
+    chunk.Simplices += static_cast<vtkIdType>(number);
+    ++chunk.Report.CellsWithOutput;
+    chunk.Cases.push_back({ static_cast<std::uint16_t>(position), static_cast<std::uint16_t>(key),
+      0, true, false, isInverted });
+    return true;
+  }
+
+  // Returns whether a cell is left-handed.
+  bool IsInverted(const Cell& cell) const
+  {
+    return this->Context.KeepOrientation ? cell.IsReflected
+                                         : this->Orientation.IsInverted(cell.Shape, cell.Ids);
+  }
+
   void CountCell(Cell& cell, vtkIdType position, Chunk& chunk, CrossingLists::Arena* arena,
     SoupBuilder* soup, MergedCut& merged, std::vector<vtkIdType>& points)
   {
@@ -518,9 +574,7 @@ private:
       least = std::min(least, cell.Codes[v]);
       greatest = std::max(greatest, cell.Codes[v]);
     }
-    const bool isInverted = this->Context.KeepOrientation
-      ? cell.IsReflected
-      : this->Orientation.IsInverted(cell.Shape, cell.Ids);
+    const bool isInverted = this->IsInverted(cell);
     const vtkIdType before = GetOutput(chunk);
     const int base = this->Values.GetBase();
     const auto& items = this->Values.GetItems();
