@@ -26,9 +26,9 @@ struct INTERLUMEINTERVALS_EXPORT vtkExtractionReport
   /// ranges.
   vtkIdType CellsVisited = 0;
   /// The number of cells that were compared as bits, which is quicker: those of image data,
-  /// rectilinear and structured grids in a contour of one value, where there is no index of value
-  /// ranges yet and no cell or point is blanked, hidden or a ghost, but for layers of ghost cells
-  /// around a piece.
+  /// rectilinear and structured grids in a contour of one value, where no cell or point is blanked,
+  /// hidden or a ghost, but for layers of ghost cells around a piece. There the index of value
+  /// ranges skips whole rows.
   vtkIdType CellsByBits = 0;
   /// The number of cells of the input that gave at least one simplex.
   vtkIdType CellsWithOutput = 0;

@@ -6,12 +6,14 @@
 #include "Grid/RowIndex.h"
 #include "Scalars/BitKernels.h"
 #include "Scalars/ExtractionScalars.h"
+#include "Static/ExtractionIndex.h"
 #include "Static/TiedCases.h"
 
 #include "vtkSMPThreadLocal.h"
 
 #include <array>
 #include <memory>
+#include <vector>
 
 namespace interlume
 {
@@ -66,14 +68,14 @@ public:
   bool Execute()
   {
     const vtkIdType rows = this->Rows.GetNumberOfRows();
+    this->FindActive(rows);
     this->Bits.Allocate(rows, this->Nx);
     const bool counted = this->Context.Run(rows, 0.0, 0.05,
                            [this](vtkIdType first, vtkIdType last)
                            {
                              for (vtkIdType row = first; row < last; ++row)
                              {
-                               this->Bits.GetKinds(row) = this->Scalars->Compare(
-                                 this->Rows.GetFirstPoint(row), this->Nx, this->Bits.GetRow(row));
+                               this->Compare(row);
                              }
                            }) &&
       this->Count(rows);
@@ -90,7 +92,7 @@ public:
 
 private:
   // The rows of points around a row of cells: (j, k), (j + 1, k), (j, k + 1), (j + 1, k + 1). Where
-  // there is none it is the first.
+  // there is none, or it is not compared and so on the same side, it is the first.
   struct Around
   {
     vtkIdType J;
@@ -134,17 +136,57 @@ private:
     std::array<const Id*, vtkIsotable::MaximumNumberOfSlots> Slots{};
   };
 
+  // Finds by the index, where there is one, which rows of points have to be compared: those around
+  // rows of cells that may give output.
+  void FindActive(vtkIdType rows)
+  {
+    if (!this->Context.Index)
+    {
+      return;
+    }
+    this->IsCompared.assign(rows, false);
+    for (vtkIdType row = 0; row < rows; ++row)
+    {
+      const vtkIdType j = this->Rows.GetJ(row);
+      const vtkIdType k = this->Rows.GetK(row);
+      for (int r = 0; this->MayGive(j, k) && r < 4; ++r)
+      {
+        this->IsCompared[this->Rows.GetRow(j + (r & 1), k + (r >> 1))] = true;
+      }
+    }
+  }
+
+  // Returns whether the cells at a row of points may give output.
+  bool MayGive(vtkIdType j, vtkIdType k) const
+  {
+    return this->Rows.HasCells(j, k) &&
+      (!this->Context.Index || this->Context.Index->IsRowActive(this->Rows.GetCellRow(j, k)));
+  }
+
+  bool IsRowCompared(vtkIdType row) const { return !this->Context.Index || this->IsCompared[row]; }
+
+  void Compare(vtkIdType row)
+  {
+    if (this->IsRowCompared(row))
+    {
+      this->Bits.GetKinds(row) =
+        this->Scalars->Compare(this->Rows.GetFirstPoint(row), this->Nx, this->Bits.GetRow(row));
+    }
+  }
+
   Around GetAround(vtkIdType row)
   {
     Around around;
     around.J = this->Rows.GetJ(row);
     around.K = this->Rows.GetK(row);
-    around.HasCells = this->Rows.HasCells(around.J, around.K);
+    around.HasCells = this->MayGive(around.J, around.K);
     for (int r = 0; r < 4; ++r)
     {
       const vtkIdType j = around.J + (r & 1);
       const vtkIdType k = around.K + (r >> 1);
-      around.Numbers[r] = j < this->Ny && k < this->Nz ? this->Rows.GetRow(j, k) : row;
+      const bool isThere =
+        j < this->Ny && k < this->Nz && this->IsRowCompared(this->Rows.GetRow(j, k));
+      around.Numbers[r] = isThere ? this->Rows.GetRow(j, k) : row;
       around.Rows[r] = this->Bits.GetRow(around.Numbers[r]);
       around.Kinds.Add(this->Bits.GetKinds(around.Numbers[r]));
     }
@@ -163,6 +205,10 @@ private:
         local.Keys.resize(this->Nx);
         for (vtkIdType row = first; row < last; ++row)
         {
+          if (!this->IsRowCompared(row))
+          {
+            continue;
+          }
           const Around around = this->GetAround(row);
           RowPlace& place = this->Offsets[row + 1];
           place.Points =
@@ -179,6 +225,7 @@ private:
   {
     vtkIdType triangles = 0;
     local.Report.CellsVisited += this->Nx - 1;
+    local.Report.CellsByBits += this->Nx - 1;
     if (around.Kinds.NonFinite)
     {
       local.Report.NonFiniteCells += BitKernels::CountNonFinite(around.Rows.data(), this->Nx);
@@ -520,7 +567,6 @@ private:
       bytes += static_cast<std::size_t>(this->Nx) * bytesOfColumn;
     }
     vtkSMPTools::Sort(tied.begin(), tied.end());
-    this->Context.Report->CellsByBits += (this->Nx - 1) * (this->Ny - 1) * (this->Nz - 1);
     this->Context.NoteWorkingBytes(bytes);
   }
 
@@ -543,6 +589,8 @@ private:
   vtkIdType Nx;
   vtkIdType Ny;
   vtkIdType Nz;
+  // Which rows of points are compared; empty without an index, when all are.
+  std::vector<bool> IsCompared;
   BitRows Bits;
   std::vector<RowPlace> Offsets;
   bool MarksUsed = false;
@@ -553,8 +601,8 @@ private:
 bool RowContour::IsSuited(const ExtractionContext& context)
 {
   return context.Values->GetKind() == vtkIsotable::CONTOUR &&
-    context.Values->GetItems().size() == 1 && !context.Index && !context.Whole &&
-    !context.TakeDuplicates && !context.GenerateBoundaries;
+    context.Values->GetItems().size() == 1 && !context.Whole && !context.TakeDuplicates &&
+    !context.GenerateBoundaries;
 }
 
 bool RowContour::Execute(ExtractionContext& context, const int dimensions[3],

@@ -1103,14 +1103,15 @@ bool StructuredExtraction::Execute(
   GridWindow window(dimensions);
   const vtkIdType cells = window.GetNumberOfCells();
   // An index is of the rows of the whole grid.
-  const bool isBox = !context.Index && window.Shrink(context, dimensions) &&
+  const bool isRowContour = RowContour::IsSuited(context);
+  const bool isBox = (!context.Index || isRowContour) && window.Shrink(context, dimensions) &&
     !GhostCells::AreTiedBeyond(context, dimensions, window);
   window = isBox ? window : GridWindow(dimensions);
   const vtkIdType beyond = cells - window.GetNumberOfCells();
   context.Report->CellsVisited += beyond;
   context.Report->BlankedCells += beyond;
   const bool hasBlanking = context.HasBlanking() && !isBox;
-  if (!hasBlanking && RowContour::IsSuited(context))
+  if (!hasBlanking && isRowContour)
   {
     return RowContour::Execute(context, dimensions, window, mesh);
   }

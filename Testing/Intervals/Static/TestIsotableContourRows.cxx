@@ -2,7 +2,7 @@
 // A contour of one value on grids of rows, which compares values as bits: the bytes and the report
 // of the way for any values, which a second value takes, beyond all. In image data, turned or not,
 // rectilinear and structured grids; with rows of all lengths around those of words, every type of
-// scalars, ties, values that are not finite; for any number of threads.
+// scalars, ties, values that are not finite; with and without an index; for any number of threads.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Checks/ReferenceThreads.h"
 #include "Reference/Meshes/ReferenceField.h"
@@ -17,9 +17,11 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <random>
@@ -58,19 +60,9 @@ void CompareBytes(vtkDataArray* a, vtkDataArray* b, const std::string& name, Che
     "bytes of " + name);
 }
 
-/// Compares both ways. Returns the number of triangles.
-vtkIdType Compare(vtkDataSet* data, double value, Check& check)
+/// Compares the bytes of two contours. Returns the number of triangles.
+vtkIdType CompareGrids(const Grid& quick, const Grid& any, Check& check)
 {
-  vtkExtractionReport report;
-  vtkExtractionReport other;
-  const Grid quick = Contour(data, value, false, report);
-  const Grid any = Contour(data, value, true, other);
-  check.Equal(report.CellsByBits, data->GetNumberOfCells(), "cells compared as bits");
-  check.Equal(other.CellsByBits, 0, "cells compared as bits with two values");
-  check.Equal(report.CellsWithOutput, other.CellsWithOutput, "cells with output");
-  check.Equal(report.NonFiniteCells, other.NonFiniteCells, "cells that are not finite");
-  check.Equal(report.CollapsedSimplices, other.CollapsedSimplices, "collapsed triangles");
-  check.Equal(report.CellsVisited, data->GetNumberOfCells(), "cells visited");
   check.Equal(quick->GetNumberOfCells(), any->GetNumberOfCells(), "triangles");
   check.Equal(quick->GetNumberOfPoints(), any->GetNumberOfPoints(), "points");
   if (quick->GetNumberOfCells() == 0 || any->GetNumberOfCells() == 0)
@@ -92,6 +84,22 @@ vtkIdType Compare(vtkDataSet* data, double value, Check& check)
     }
   }
   return quick->GetNumberOfCells();
+}
+
+/// Compares both ways. Returns the number of triangles.
+vtkIdType Compare(vtkDataSet* data, double value, Check& check)
+{
+  vtkExtractionReport report;
+  vtkExtractionReport other;
+  const Grid quick = Contour(data, value, false, report);
+  const Grid any = Contour(data, value, true, other);
+  check.Equal(report.CellsByBits, data->GetNumberOfCells(), "cells compared as bits");
+  check.Equal(other.CellsByBits, 0, "cells compared as bits with two values");
+  check.Equal(report.CellsWithOutput, other.CellsWithOutput, "cells with output");
+  check.Equal(report.NonFiniteCells, other.NonFiniteCells, "cells that are not finite");
+  check.Equal(report.CollapsedSimplices, other.CollapsedSimplices, "collapsed triangles");
+  check.Equal(report.CellsVisited, data->GetNumberOfCells(), "cells visited");
+  return CompareGrids(quick, any, check);
 }
 
 void SetScalars(vtkDataSet* data, int type, double most, unsigned int seed)
@@ -216,6 +224,89 @@ void CheckFew(Check& check)
   }
 }
 
+/// Values that grow along k, with a few that are equal to whole numbers, or no number.
+void SetGrowing(vtkDataSet* data, int type)
+{
+  SetScalars(data, type, 4.0, 11);
+  vtkDataArray* const scalars = data->GetPointData()->GetScalars();
+  const vtkIdType number = scalars->GetNumberOfTuples();
+  for (vtkIdType p = 0; p < number; ++p)
+  {
+    const double most = 90.0 * static_cast<double>(p) / static_cast<double>(number);
+    scalars->SetComponent(p, 0, scalars->GetComponent(p, 0) + most);
+  }
+  for (vtkIdType p = 0; p < number; p += 97)
+  {
+    const double value = std::floor(scalars->GetComponent(p, 0));
+    const bool isLost = type == VTK_FLOAT && p % 4 == 0;
+    scalars->SetComponent(p, 0, isLost ? std::numeric_limits<double>::quiet_NaN() : value);
+  }
+}
+
+/// Values that change from one execution to the next, so that there is an index.
+void CheckIndex(vtkDataSet* data, Check& check)
+{
+  vtkNew<vtkIsotableContour> kept;
+  kept->SetInputData(data);
+  kept->WarnOnEmptyOutputOff();
+  bool isFirst = true;
+  for (double value : { 40.25, 20.0, 20.5, 70.0, 85.5, 1.0, -5.0, 200.0 })
+  {
+    kept->SetValue(0, value);
+    kept->Update();
+    vtkNew<vtkIsotableContour> plain;
+    plain->SetInputData(data);
+    plain->WarnOnEmptyOutputOff();
+    plain->UseValueIndexOff();
+    plain->SetValue(0, value);
+    plain->Update();
+    const vtkExtractionReport& report = kept->GetReport();
+    const vtkIdType triangles = CompareGrids(kept->GetOutput(), plain->GetOutput(), check);
+    check.That((value > 0.0 && value < 99.0) == (triangles > 0), "there are triangles");
+    check.Equal(report.CellsWithOutput, plain->GetReport().CellsWithOutput,
+      "cells with output, by the index");
+    const vtkIdType cells = plain->GetReport().CellsByBits;
+    // Values equal to the isovalue, or no number, in a ghost cell need the way for any values.
+    const bool isFloat = data->GetPointData()->GetScalars()->GetDataType() == VTK_FLOAT;
+    const bool mayBeTied = data->GetCellGhostArray() && (isFloat || value == std::floor(value));
+    check.That(mayBeTied || cells > data->GetNumberOfCells() / 2, "cells are compared as bits");
+    check.That(isFirst || cells == 0 ? report.CellsByBits == cells : report.CellsByBits < cells / 2,
+      "the index leaves cells out");
+    isFirst = false;
+  }
+}
+
+void CheckIndices(Check& check)
+{
+  for (int type : { VTK_UNSIGNED_CHAR, VTK_FLOAT })
+  {
+    const std::string text = ", index, type " + std::to_string(type);
+    auto image = MakeImage({ 37, 22, 50 });
+    SetGrowing(image, type);
+    for (const LatticeForm& form : FormsOf(image))
+    {
+      if (!vtkUnstructuredGrid::SafeDownCast(form.Data))
+      {
+        check.SetContext(form.Name + text);
+        SetGrowing(form.Data, type);
+        CheckIndex(form.Data, check);
+      }
+    }
+    check.SetContext("layers of ghost cells" + text);
+    vtkUnsignedCharArray* const ghosts = image->AllocateCellGhostArray();
+    int points[3];
+    image->GetDimensions(points);
+    for (vtkIdType cell = 0; cell < image->GetNumberOfCells(); ++cell)
+    {
+      const vtkIdType row = cell / (points[0] - 1);
+      const bool isGhost = cell % (points[0] - 1) == 0 || row % (points[1] - 1) < 2 ||
+        row / (points[1] - 1) + 2 == points[2];
+      ghosts->SetValue(cell, isGhost ? vtkDataSetAttributes::DUPLICATECELL : 0);
+    }
+    CheckIndex(image, check);
+  }
+}
+
 void CheckRuns(Check& check)
 {
   for (double most : { 3.0, 97.3 })
@@ -256,6 +347,7 @@ int TestIsotableContourRows(int, char*[])
   CheckGrids(check);
   CheckKinds(check);
   CheckFew(check);
+  CheckIndices(check);
   CheckRuns(check);
   CheckUnsuited(check);
   return check.Result();
