@@ -2,17 +2,25 @@
 // Fronts, defaults and answers of plots that are made up, and what charts show of them.
 #include "Benchmarks/Approximations/Approximation.h"
 #include "Benchmarks/Report/BenchChart.h"
+#include "Benchmarks/Report/MarkedLine.h"
+#include "Benchmarks/Report/PlotMarks.h"
 #include "Benchmarks/Results/ErrorFront.h"
 
 #include "vtkAxis.h"
+#include "vtkBrush.h"
 #include "vtkChartXY.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPen.h"
 #include "vtkPlot.h"
+#include "vtkPlotBar.h"
 #include "vtkTable.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -162,6 +170,120 @@ void CheckChart()
   FillChart(without, plot);
   Expect(CountLabels(without, "Pareto front", points) == 0, "a front that was not asked for");
 }
+
+/// A plot of as many series as are asked for, which are alike but for their labels.
+BenchPlot MakeManySeries(std::size_t number, BenchPlot::Kinds kind)
+{
+  BenchPlot plot = BenchPlot::OfErrors("many", "Many", "run time (s)", "error");
+  plot.Kind = kind;
+  plot.LogX = kind == BenchPlot::LINES;
+  plot.BarLabels = { "case" };
+  for (std::size_t i = 0; i < number; ++i)
+  {
+    plot.AddPoint("series " + std::to_string(i), false, 1.0, 1.0);
+  }
+  return plot;
+}
+
+double GreyOf(const unsigned char* colour)
+{
+  return 0.299 * colour[0] + 0.587 * colour[1] + 0.114 * colour[2];
+}
+
+/// Whether each pixel of a mark is inked: what is left of it whatever its colour.
+std::vector<bool> FindInk(vtkImageData* mark)
+{
+  std::vector<bool> ink(static_cast<std::size_t>(mark->GetNumberOfPoints()));
+  const auto* pixel = static_cast<const unsigned char*>(mark->GetScalarPointer());
+  for (std::size_t i = 0; i < ink.size(); ++i, pixel += 4)
+  {
+    ink[i] = pixel[3] > 127 && GreyOf(pixel) < 220.0;
+  }
+  return ink;
+}
+
+/// The share of pixels where one mark is inked and the other is not, of those where either is.
+double CompareInk(const std::vector<bool>& one, const std::vector<bool>& other)
+{
+  int either = 0;
+  int differ = 0;
+  for (std::size_t i = 0; i < one.size(); ++i)
+  {
+    either += one[i] || other[i] ? 1 : 0;
+    differ += one[i] != other[i] ? 1 : 0;
+  }
+  return static_cast<double>(differ) / either;
+}
+
+/// Series are told apart without colours: lines by their marks' shapes, bars by their greys.
+void CheckGreys()
+{
+  vtkNew<vtkChartXY> chart;
+  FillChart(chart, MakeManySeries(NumberOfMarks, BenchPlot::LINES));
+  std::vector<std::vector<bool>> inks;
+  for (vtkIdType i = 0; i < chart->GetNumberOfPlots(); ++i)
+  {
+    if (auto* line = MarkedLine::SafeDownCast(chart->GetPlot(i)))
+    {
+      inks.push_back(FindInk(line->GetMark()));
+    }
+  }
+  Expect(inks.size() == NumberOfMarks && inks.size() >= 12, "each series is a line with marks");
+  for (std::size_t i = 0; i < inks.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      const double share = CompareInk(inks[i], inks[j]);
+      Expect(share > 0.25,
+        "marks " + std::to_string(j) + " and " + std::to_string(i) + " differ in " +
+          std::to_string(share) + " of their ink");
+    }
+  }
+
+  constexpr std::size_t most = 5;
+  vtkNew<vtkChartXY> bars;
+  FillChart(bars, MakeManySeries(most, BenchPlot::BARS));
+  std::vector<double> greys;
+  for (vtkIdType i = 0; i < bars->GetNumberOfPlots(); ++i)
+  {
+    if (auto* bar = vtkPlotBar::SafeDownCast(bars->GetPlot(i)))
+    {
+      unsigned char colour[4];
+      bar->GetBrush()->GetColor(colour);
+      greys.push_back(GreyOf(colour));
+    }
+  }
+  Expect(greys.size() == most, "each series has bars");
+  for (std::size_t i = 0; i < greys.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      Expect(std::abs(greys[i] - greys[j]) > 30.0,
+        "bars " + std::to_string(j) + " and " + std::to_string(i) + " are greys of " +
+          std::to_string(greys[j]) + " and " + std::to_string(greys[i]));
+    }
+  }
+}
+
+/// Peers, and what nobody can choose, are told from what is ours by their lines.
+void CheckDashes()
+{
+  BenchPlot plot = MakeManySeries(3, BenchPlot::LINES);
+  plot.AllSeries[1].IsPeer = true;
+  plot.SetNoChoice("series 2");
+  vtkNew<vtkChartXY> chart;
+  FillChart(chart, plot);
+  std::vector<int> dashes;
+  for (vtkIdType i = 0; i < chart->GetNumberOfPlots(); ++i)
+  {
+    if (auto* line = MarkedLine::SafeDownCast(chart->GetPlot(i)))
+    {
+      dashes.push_back(line->GetPen()->GetLineType());
+    }
+  }
+  Expect(dashes == std::vector<int>{ vtkPen::SOLID_LINE, vtkPen::DASH_LINE, vtkPen::DASH_DOT_LINE },
+    "lines of ours, a peer and what is no choice");
+}
 }
 
 int main()
@@ -170,5 +292,7 @@ int main()
   CheckAnswers();
   CheckRows();
   CheckChart();
+  CheckGreys();
+  CheckDashes();
   return Right ? EXIT_SUCCESS : EXIT_FAILURE;
 }

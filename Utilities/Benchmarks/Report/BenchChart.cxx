@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Report/BenchChart.h"
 
+#include "Benchmarks/Report/MarkedLine.h"
 #include "Benchmarks/Report/PointNames.h"
 #include "Benchmarks/Results/BenchPlot.h"
 #include "Benchmarks/Results/ErrorFront.h"
@@ -29,34 +30,15 @@
 
 namespace
 {
-/// Colours from dark to light, so that they differ in grey too.
-struct Look
-{
-  std::array<unsigned char, 3> Colour;
-  int Marker;
-};
+/// Their greys are well apart from one to the next, and among the first five, which bars have,
+/// altogether.
+const std::array<unsigned char, 3> Colours[] = { { { 68, 1, 84 } }, { { 0, 92, 150 } },
+  { { 220, 80, 30 } }, { { 85, 185, 140 } }, { { 245, 180, 60 } }, { { 90, 90, 90 } },
+  { { 190, 110, 190 } }, { { 20, 100, 60 } }, { { 90, 150, 200 } }, { { 110, 60, 20 } } };
 
-const Look Looks[] = {
-  { { 68, 1, 84 }, vtkPlotPoints::CIRCLE },
-  { { 0, 92, 150 }, vtkPlotPoints::SQUARE },
-  { { 200, 70, 30 }, vtkPlotPoints::DIAMOND },
-  { { 50, 160, 115 }, vtkPlotPoints::CROSS },
-  { { 226, 150, 20 }, vtkPlotPoints::PLUS },
-  { { 120, 120, 120 }, vtkPlotPoints::SQUARE },
-  { { 120, 40, 120 }, vtkPlotPoints::DIAMOND },
-  { { 90, 150, 200 }, vtkPlotPoints::CIRCLE },
-  { { 110, 80, 30 }, vtkPlotPoints::PLUS },
-  { { 20, 100, 60 }, vtkPlotPoints::CROSS },
-};
-
-const Look& LookOf(std::size_t series)
+const std::array<unsigned char, 3>& ColourOf(std::size_t series)
 {
-  return Looks[series % (sizeof(Looks) / sizeof(Looks[0]))];
-}
-
-void SetColour(vtkPlot* plot, const Look& look)
-{
-  plot->SetColor(look.Colour[0], look.Colour[1], look.Colour[2], 255);
+  return Colours[series % (sizeof(Colours) / sizeof(Colours[0]))];
 }
 
 vtkSmartPointer<vtkTable> MakeTable(
@@ -194,23 +176,22 @@ void AddFront(vtkChartXY* chart, const BenchPlot& plot)
   }
 }
 
-void AddLine(vtkChartXY* chart, const BenchPlot::Series& series, const Look& look, bool isDefault)
+void AddLine(
+  vtkChartXY* chart, const BenchPlot::Series& series, std::size_t position, bool isDefault)
 {
   auto table = MakeTable(series);
   if (isDefault)
   {
     AddRings(chart, table);
   }
-  auto line = vtkPlotLine::SafeDownCast(chart->AddPlot(vtkChart::LINE));
+  vtkNew<MarkedLine> line;
+  chart->AddPlot(line);
   line->SetInputData(table, 0, 1);
-  SetColour(line, look);
+  line->SetLook(position, ColourOf(position));
   line->GetPen()->SetLineType(!series.IsChoice ? vtkPen::DASH_DOT_LINE
       : series.IsPeer                          ? vtkPen::DASH_LINE
                                                : vtkPen::SOLID_LINE);
   line->SetWidth(series.IsPeer ? 2.5f : 3.0f);
-  line->SetMarkerStyle(look.Marker);
-  const bool isThin = look.Marker == vtkPlotPoints::CROSS || look.Marker == vtkPlotPoints::PLUS;
-  line->SetMarkerSize(isThin ? 17.0f : 12.0f);
   line->SetLabel(!series.IsChoice ? series.Label + " (no choice)"
       : series.IsPeer             ? series.Label + " (peer)"
                                   : series.Label);
@@ -243,7 +224,8 @@ void AddBars(vtkChartXY* chart, const BenchPlot& plot)
     const BenchPlot::Series& series = plot.AllSeries[i];
     auto bars = vtkPlotBar::SafeDownCast(chart->AddPlot(vtkChart::BAR));
     bars->SetInputData(MakeTable(series.Label, positions, series.Y), 0, 1);
-    SetColour(bars, LookOf(i));
+    const std::array<unsigned char, 3>& colour = ColourOf(i);
+    bars->SetColor(colour[0], colour[1], colour[2], 255);
     bars->SetLabel(series.Label);
   }
   vtkAxis* bottom = chart->GetAxis(vtkAxis::BOTTOM);
@@ -289,7 +271,7 @@ void FillChart(vtkChartXY* chart, const BenchPlot& plot)
   for (std::size_t i = 0; i < plot.AllSeries.size(); ++i)
   {
     const BenchPlot::Series& series = plot.AllSeries[i];
-    AddLine(chart, series, LookOf(i), series.Label == plot.DefaultSeries);
+    AddLine(chart, series, i, series.Label == plot.DefaultSeries);
   }
   vtkNew<PointNames> names;
   names->SetPlot(plot);

@@ -13,7 +13,7 @@ struct BenchPlot
   struct Series
   {
     std::string Label;
-    /// Peers are drawn dashed, and as hatched bars.
+    /// Peers are drawn dashed.
     bool IsPeer = false;
     /// Whether it can be chosen for what the plot asks; else it is there for comparison, and in no
     /// front.
