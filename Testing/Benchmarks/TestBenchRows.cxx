@@ -150,8 +150,8 @@ void CheckQuestions(const nlohmann::json& rows)
   std::set<std::string> wanted = { "contour-error", "table-routes", "critical-points",
     "vortex-axis", "stream-surface-resolution", "lic-step", "lic-length", "source-samples",
     "source-voxels", "sort-mode", "blend-mode", "light-lookup", "image-sample-distance",
-    "coloured-transmission", "texel-rounding", "time-volume-pictures", "flow-texture-voxels",
-    "flow-texture-samples", "streamline-texture" };
+    "coloured-transmission", "texel-rounding", "time-volume-pictures", "time-volume-fast-pictures",
+    "flow-texture-voxels", "flow-texture-samples", "streamline-texture" };
 #ifdef INTERLUME_ENABLE_TETGEN
   wanted.insert("mesher-bounds");
 #endif

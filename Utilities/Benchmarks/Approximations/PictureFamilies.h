@@ -16,6 +16,8 @@ Family MakeBlendFamily();
 
 /// Volumes in time, projected, beside those of many time steps.
 Family MakeTimeVolumeFamily();
+/// The same where what is in them moves far from step to step.
+Family MakeFastTimeVolumeFamily();
 
 /// Light's buffer by its nearest texel or by four, at several sizes.
 Family MakeLightLookupFamily();

@@ -13,6 +13,7 @@ std::unique_ptr<BenchSuite> MakePictureErrorsSuite()
     "frame to frame; all ways take turns. Errors are those of a picture in a framebuffer of floats "
     "against one that is made in double precision without the mappers.",
     std::vector<Family>{ MakeSortFamily(), MakeBlendFamily(), MakeTimeVolumeFamily(),
-      MakeLightLookupFamily(), MakeImageSampleFamily(), MakeTransmissionFamily(),
-      MakeScalarTypeFamily(), MakeFlowVoxelFamily(), MakeFlowSampleFamily(), MakeStripeFamily() });
+      MakeFastTimeVolumeFamily(), MakeLightLookupFamily(), MakeImageSampleFamily(),
+      MakeTransmissionFamily(), MakeScalarTypeFamily(), MakeFlowVoxelFamily(),
+      MakeFlowSampleFamily(), MakeStripeFamily() });
 }

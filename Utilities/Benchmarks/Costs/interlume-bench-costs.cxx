@@ -26,6 +26,7 @@
 #include <cmath>
 #include <exception>
 #include <iostream>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -104,16 +105,79 @@ void AddRows(const gallery::SceneCosts& scene, BenchRows& rows)
   }
 }
 
+/// Rows by scene, without their summaries.
+using SceneRows = std::map<std::string, std::vector<BenchRow>>;
+
+/// Puts what a file has of its scenes in the place of what there was of these.
+void Take(const BenchResults& file, SceneRows& scenes)
+{
+  SceneRows taken;
+  for (const BenchRow& row : file.RowsOf(costs::Suite))
+  {
+    if (row.Case != costs::AllScenes && row.Method != costs::AllFeatures)
+    {
+      taken[row.Case].push_back(row);
+    }
+  }
+  for (const auto& [scene, rows] : taken)
+  {
+    scenes[scene] = rows;
+  }
+}
+
+/// Sets the rows of scenes, in the order of the gallery, with their summaries and what is wanted of
+/// them.
+void SetRows(BenchResults& results, const SceneRows& scenes)
+{
+  std::vector<BenchRow> rows;
+  for (const gallery::Scene& scene : gallery::AllScenes())
+  {
+    const auto found = scenes.find(scene.Id);
+    if (found != scenes.end())
+    {
+      rows.insert(rows.end(), found->second.begin(), found->second.end());
+    }
+  }
+  results.SetClaims(costs::Suite, costs::CheckClaims(rows));
+  const std::vector<BenchRow> summaries = costs::Summarise(rows);
+  rows.insert(rows.end(), summaries.begin(), summaries.end());
+  results.Rows = rows;
+}
+
+/// What files have, under the conditions of the first one, with the commands of all.
+BenchResults ReadAll(const std::vector<std::string>& paths)
+{
+  SceneRows scenes;
+  BenchResults results = BenchResults::Read(paths.front());
+  std::string commands;
+  double took = 0.0;
+  for (const std::string& path : paths)
+  {
+    const BenchResults file = BenchResults::Read(path);
+    Take(file, scenes);
+    commands += (commands.empty() ? "" : "; ") + file.Conditions.at("command").get<std::string>();
+    took += file.Suites.at(costs::Suite).at("took").get<double>();
+  }
+  results.Conditions["command"] = commands;
+  results.Suites[costs::Suite]["took"] = took;
+  SetRows(results, scenes);
+  return results;
+}
+
 void Measure(const std::vector<std::string>& names, const gallery::CostSettings& settings,
   const std::string& json)
 {
   BenchOptions options;
   options.Threads = vtkSMPTools::GetEstimatedNumberOfThreads();
   BenchResults results = BenchResults::Here(options);
-  results.Conditions["command"] = "interlume-bench-costs --width " +
-    std::to_string(settings.Width) + " --height " + std::to_string(settings.Height) + " --pairs " +
-    std::to_string(settings.Pairs);
-  BenchRows rows(costs::Suite);
+  std::string command = "interlume-bench-costs --width " + std::to_string(settings.Width) +
+    " --height " + std::to_string(settings.Height) + " --pairs " + std::to_string(settings.Pairs);
+  for (const std::string& name : names)
+  {
+    command += " " + name;
+  }
+  results.Conditions["command"] = command;
+  SceneRows scenes;
   const gallery::Stopwatch watch;
   for (const gallery::Scene& scene : gallery::AllScenes())
   {
@@ -121,13 +185,12 @@ void Measure(const std::vector<std::string>& names, const gallery::CostSettings&
     {
       continue;
     }
+    BenchRows rows(costs::Suite);
     AddRows(gallery::MeasureSceneCosts(scene, settings), rows);
+    scenes[scene.Id] = rows.Get();
     // Scene by scene, so that a run that is ended has a file too.
-    results.Rows = rows.Get();
-    const std::vector<BenchRow> summaries = costs::Summarise(rows.Get());
-    results.Rows.insert(results.Rows.end(), summaries.begin(), summaries.end());
     results.Suites[costs::Suite]["took"] = std::round(watch.Seconds());
-    results.SetClaims(costs::Suite, costs::CheckClaims(rows.Get()));
+    SetRows(results, scenes);
     if (!json.empty())
     {
       results.Write(json);
@@ -145,13 +208,23 @@ int main(int argc, char* argv[])
   }
   std::vector<std::string> names;
   std::string json;
+  std::vector<std::string> from;
   gallery::CostSettings settings;
   settings.Optional = GetOptionalClasses();
   CLI::App app(
     "Measures what scenes of the gallery pay for features that they do not use, and what "
     "these would add.");
-  app.add_option("SCENE", names, "Scenes; default all of the gallery")->check(CLI::IsMember(known));
-  app.add_option("--json", json, "Write the rows to this file");
+  auto* scenes = app.add_option("SCENE", names, "Scenes; default all of the gallery")
+                   ->check(CLI::IsMember(known));
+  auto* file = app.add_option("--json", json, "Write the rows to this file");
+  app
+    .add_option("--from", from,
+      "Put together what runs have written, of each scene what the last of these files has, "
+      "instead "
+      "of measuring")
+    ->check(CLI::ExistingFile)
+    ->excludes(scenes)
+    ->needs(file);
   app.add_option("--width", settings.Width, "Pixels of a panel")
     ->check(CLI::Range(16, 8192))
     ->capture_default_str();
@@ -170,6 +243,11 @@ int main(int argc, char* argv[])
   CLI11_PARSE(app, argc, argv);
   try
   {
+    if (!from.empty())
+    {
+      ReadAll(from).Write(json);
+      return 0;
+    }
     const gallery::DisplayHold display;
     Measure(names, settings, json);
     return 0;
