@@ -116,14 +116,16 @@ struct Pairs
   /// Of the other.
   std::vector<double> Seconds;
 
-  /// Adds as many pairs as the settings say.
+  /// Adds as many pairs as the settings say; each goes first in every second one.
   void Add(const Subject& one, const Subject& other, const CostSettings& settings, int most)
   {
     const Stopwatch watch;
     for (int i = 0; i < most && (i < 2 || watch.Seconds() < settings.Limit); ++i)
     {
+      const double before = i % 2 == 0 ? 0.0 : one.Run().Seconds;
       this->Seconds.push_back(other.Run().Seconds);
-      this->Differences.push_back(one.Run().Seconds - this->Seconds.back());
+      const double taken = i % 2 == 0 ? one.Run().Seconds : before;
+      this->Differences.push_back(taken - this->Seconds.back());
     }
   }
 };
@@ -212,6 +214,9 @@ private:
       taken[state] = subject.Run();
       if (never.Object && state > 0)
       {
+        // What is measured alone is of two fresh ones too.
+        never.Begin();
+        never.Run();
         pairs[state].Add(subject, never, this->Settings, this->Settings.Pairs);
       }
       if (state == 2 && IsBeyondNoise(pairs[2], without))
