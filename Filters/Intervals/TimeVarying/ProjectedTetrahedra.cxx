@@ -2,8 +2,8 @@
 #include "TimeVarying/ProjectedTetrahedra.h"
 
 #include "Arrays/ExtractionArrays.h"
+#include "TimeVarying/OutputCellArrays.h"
 
-#include "vtkCellData.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
 #include "vtkTimeVaryingReport.h"
@@ -27,17 +27,6 @@ constexpr unsigned char ClassNames[SimplexSigns::NumberOfClasses] = {
   vtkTimeVaryingSettings::CLASS_3A, vtkTimeVaryingSettings::CLASS_3B,
   vtkTimeVaryingSettings::CLASS_4, vtkTimeVaryingSettings::CLASS_5
 };
-
-template <typename Array>
-auto* AddCellArray(vtkUnstructuredGrid* output, const char* name, vtkIdType number)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfValues(number);
-  ExtractionMemory::PreferLargePages(array);
-  output->GetCellData()->AddArray(array);
-  return array->GetPointer(0);
-}
 
 // Calls visit with the values of an array of float or of double; returns whether it is one.
 template <typename Visitor>
@@ -372,9 +361,12 @@ void ProjectedTetrahedra::AllocateTetrahedra()
 {
   this->Cells.Allocate(this->Tetrahedra, 4, this->BasePoints + this->ThickPoints);
   this->Classes =
-    AddCellArray<vtkUnsignedCharArray>(this->Output, "SimplexClass", this->Tetrahedra);
-  this->Items = AddCellArray<vtkIntArray>(this->Output, "IntervalId", this->Tetrahedra);
-  this->Slabs = AddCellArray<vtkIntArray>(this->Output, "TimeSlab", this->Tetrahedra);
+    OutputCellArrays::Add<vtkUnsignedCharArray>(this->Output, "SimplexClass", this->Tetrahedra)
+      ->GetPointer(0);
+  this->Items =
+    OutputCellArrays::Add<vtkIntArray>(this->Output, "IntervalId", this->Tetrahedra)->GetPointer(0);
+  this->Slabs =
+    OutputCellArrays::Add<vtkIntArray>(this->Output, "TimeSlab", this->Tetrahedra)->GetPointer(0);
 }
 
 void ProjectedTetrahedra::WriteBlock(const Block& block)

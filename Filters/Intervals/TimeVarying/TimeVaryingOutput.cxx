@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TimeVarying/TimeVaryingOutput.h"
 
+#include "TimeVarying/OutputCellArrays.h"
 #include "TimeVarying/ProjectedTetrahedra.h"
 #include "TimeVarying/TimeVaryingMesh.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkPoints.h"
@@ -26,17 +26,6 @@ namespace
 using Simplex = TimeVaryingMesh::Simplex;
 using Slab = TimeVaryingMesh::Slab;
 constexpr int NumberOfPoints = SimplexProjection::NumberOfPoints;
-
-template <typename Array>
-Array* AddCellArray(vtkUnstructuredGrid* output, const char* name, vtkIdType number)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfValues(number);
-  ExtractionMemory::PreferLargePages(array);
-  output->GetCellData()->AddArray(array);
-  return array;
-}
 
 // Shares the points and point arrays of the mesh itself.
 void ShareArrays(const TimeVaryingMesh& mesh, vtkUnstructuredGrid* output)
@@ -63,9 +52,9 @@ void TimeVaryingOutput::FillBoundary(
   ShareArrays(mesh, output);
   const auto& cells = mesh.GetBoundary();
   const vtkIdType number = static_cast<vtkIdType>(cells.size());
-  auto* kinds = AddCellArray<vtkIntArray>(output, "BoundaryKind", number);
-  auto* items = AddCellArray<vtkIntArray>(output, "IntervalId", number);
-  auto* slabs = AddCellArray<vtkIntArray>(output, "TimeSlab", number);
+  auto* kinds = OutputCellArrays::Add<vtkIntArray>(output, "BoundaryKind", number);
+  auto* items = OutputCellArrays::Add<vtkIntArray>(output, "IntervalId", number);
+  auto* slabs = OutputCellArrays::Add<vtkIntArray>(output, "TimeSlab", number);
   vtkNew<vtkUnsignedCharArray> types;
   types->SetNumberOfValues(number);
   vtkNew<vtkCellArray> list;
@@ -99,9 +88,9 @@ void TimeVaryingOutput::FillSimplices(const TimeVaryingMesh& mesh, vtkUnstructur
   number += static_cast<vtkIdType>(mesh.GetStepVolume().size());
   SimplexList list;
   list.Allocate(number, NumberOfPoints, mesh.GetPoints()->GetNumberOfPoints());
-  auto* items = AddCellArray<vtkIntArray>(output, "IntervalId", number);
-  auto* slabs = AddCellArray<vtkIntArray>(output, "TimeSlab", number);
-  auto* atStep = AddCellArray<vtkUnsignedCharArray>(output, "AtStep", number);
+  auto* items = OutputCellArrays::Add<vtkIntArray>(output, "IntervalId", number);
+  auto* slabs = OutputCellArrays::Add<vtkIntArray>(output, "TimeSlab", number);
+  auto* atStep = OutputCellArrays::Add<vtkUnsignedCharArray>(output, "AtStep", number);
   vtkIdType next = 0;
   for (const Slab& slab : mesh.GetSlabs())
   {
