@@ -149,7 +149,11 @@ private:
     {
       const vtkIdType j = this->Rows.GetJ(row);
       const vtkIdType k = this->Rows.GetK(row);
-      for (int r = 0; this->MayGive(j, k) && r < 4; ++r)
+      if (!this->MayGive(j, k))
+      {
+        continue;
+      }
+      for (int r = 0; r < 4; ++r)
       {
         this->IsCompared[this->Rows.GetRow(j + (r & 1), k + (r >> 1))] = true;
       }

@@ -20,8 +20,8 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <type_traits>
 
