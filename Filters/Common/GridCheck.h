@@ -18,9 +18,11 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstdint>
 #include <limits>
 #include <mutex>
 #include <string>
+#include <type_traits>
 
 namespace interlume
 {
@@ -33,22 +35,23 @@ namespace interlume
  */
 namespace GridCheck
 {
-/// Returns the least number of points that a cell of each type has.
-inline const std::array<vtkIdType, 256>& GetLeastSizes()
+/// Returns the least number of points that a cell of a type has. Each type is looked into when it
+/// is first asked for: to make a cell of every one takes longer than to check a small grid.
+inline vtkIdType GetLeastSize(unsigned char type)
 {
-  static const std::array<vtkIdType, 256> sizes = []()
+  // One more than the size; 0 of a type that was not asked for.
+  static std::array<std::atomic<int>, 256> known{};
+  int found = known[type].load(std::memory_order_relaxed);
+  if (found == 0)
   {
-    std::array<vtkIdType, 256> found{};
-    for (int type = VTK_VERTEX; type < VTK_CONVEX_POINT_SET; ++type)
-    {
-      const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
-      const bool isAnySize = type == VTK_POLY_VERTEX || type == VTK_POLY_LINE ||
-        type == VTK_TRIANGLE_STRIP || type == VTK_POLYGON;
-      found[static_cast<std::size_t>(type)] = cell && !isAnySize ? cell->GetNumberOfPoints() : 0;
-    }
-    return found;
-  }();
-  return sizes;
+    const bool isAnySize = type == VTK_POLY_VERTEX || type == VTK_POLY_LINE ||
+      type == VTK_TRIANGLE_STRIP || type == VTK_POLYGON || type >= VTK_CONVEX_POINT_SET;
+    const auto cell =
+      vtkSmartPointer<vtkCell>::Take(isAnySize ? nullptr : vtkGenericCell::InstantiateCell(type));
+    found = 1 + (cell ? static_cast<int>(cell->GetNumberOfPoints()) : 0);
+    known[type].store(found, std::memory_order_relaxed);
+  }
+  return found - 1;
 }
 
 /**
@@ -100,32 +103,78 @@ private:
   }
 };
 
-/// Returns what is wrong with a cell, or nothing. \a last is that of the connectivity array.
+/// Returns whether the cells first ... last - 1 have nothing wrong; \a all is the number of entries
+/// of the connectivity array. \a hasPolyhedra is set where one of them is a polyhedron.
+template <typename Offset, typename Id>
+bool AreWhole(vtkIdType first, vtkIdType last, const unsigned char* types, const Offset* offsets,
+  const Id* ids, vtkIdType all, vtkIdType points, std::atomic<bool>& hasPolyhedra)
+{
+  using Bits = std::make_unsigned_t<Id>;
+  bool isRight = offsets[first] >= 0 && offsets[last] <= all;
+  int type = -1;
+  std::uint64_t least = 0;
+  for (vtkIdType cell = first; cell < last; ++cell)
+  {
+    if (types[cell] != type)
+    {
+      type = types[cell];
+      least = static_cast<std::uint64_t>(GetLeastSize(types[cell]));
+      if (type == VTK_POLYHEDRON)
+      {
+        hasPolyhedra = true;
+      }
+    }
+    const Offset begin = offsets[cell];
+    const Offset end = offsets[cell + 1];
+    isRight &= (begin <= end) &
+      (static_cast<std::uint64_t>(end) - static_cast<std::uint64_t>(begin) >= least);
+  }
+  if (!isRight)
+  {
+    return false;
+  }
+  // An id has the highest bit where it is negative, and its distance from the greatest one where it
+  // is larger than that: sums and unions, which are computed many at a time.
+  const Bits greatest =
+    static_cast<Bits>(std::min(points - 1, static_cast<vtkIdType>(std::numeric_limits<Id>::max())));
+  Bits bits = 0;
+  for (Offset i = offsets[first]; i < offsets[last]; ++i)
+  {
+    const Bits id = static_cast<Bits>(ids[i]);
+    bits |= id | (greatest - id);
+  }
+  return static_cast<Id>(bits) >= 0;
+}
+
+/// Returns what is wrong with a cell, or nothing. \a all is the number of entries of the
+/// connectivity array.
 inline std::string DescribeCell(vtkUnstructuredGrid* grid, vtkIdType cell, const StoredIds& offsets,
   const StoredIds& ids, vtkIdType all)
 {
   const int type = grid->GetCellType(cell);
-  const std::string what =
-    "cell " + std::to_string(cell) + " (" + GridCells::GetClassName(type) + ") ";
+  const auto describe = [&](const std::string& fault)
+  {
+    return "cell " + std::to_string(cell) + " (" + GridCells::GetClassName(type) + ") has " + fault;
+  };
   const vtkIdType first = offsets.Get(cell);
   const vtkIdType last = offsets.Get(cell + 1);
   if (first < 0 || last < first || last > all)
   {
-    return what + "has the entries " + std::to_string(first) + " to " + std::to_string(last) +
-      " of " + ArrayCheck::Count(all, "point id");
+    return describe("the entries " + std::to_string(first) + " to " + std::to_string(last) +
+      " of " + ArrayCheck::Count(all, "point id"));
   }
-  const vtkIdType least = GetLeastSizes()[static_cast<std::size_t>(type)];
+  const vtkIdType least = GetLeastSize(static_cast<unsigned char>(type));
   if (last - first < least)
   {
-    return what + "has " + ArrayCheck::Count(last - first, "point") + "; " + std::to_string(least) +
-      " are needed";
+    return describe(
+      ArrayCheck::Count(last - first, "point") + "; " + std::to_string(least) + " are needed");
   }
   for (vtkIdType i = first; i < last; ++i)
   {
     if (ids.Get(i) < 0 || ids.Get(i) >= grid->GetNumberOfPoints())
     {
-      return what + "has the point " + std::to_string(ids.Get(i)) + "; the grid has " +
-        ArrayCheck::Count(grid->GetNumberOfPoints(), "point");
+      return describe("the point " + std::to_string(ids.Get(i)) + "; the grid has " +
+        ArrayCheck::Count(grid->GetNumberOfPoints(), "point"));
     }
   }
   return {};
@@ -186,38 +235,28 @@ inline std::string FindUnstructuredFault(vtkUnstructuredGrid* grid)
   const unsigned char* type = typesOfCells->GetPointer(0);
   const vtkIdType all = grid->GetCells()->GetConnectivityArray()->GetNumberOfValues();
   const vtkIdType points = grid->GetNumberOfPoints();
-  const std::array<vtkIdType, 256>& least = GetLeastSizes();
-  std::atomic<vtkIdType> firstWrong(cells);
+  std::atomic<bool> areWhole(true);
   std::atomic<bool> hasPolyhedra(false);
-  vtkSMPTools::For(0, cells,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType cell = begin; cell < end && cell < firstWrong; ++cell)
-      {
-        const vtkIdType first = offsets.Get(cell);
-        const vtkIdType last = offsets.Get(cell + 1);
-        bool isRight = first >= 0 && last <= all && last - first >= least[type[cell]];
-        for (vtkIdType i = first; isRight && i < last; ++i)
-        {
-          isRight = ids.Get(i) >= 0 && ids.Get(i) < points;
-        }
-        if (!isRight)
-        {
-          vtkIdType before = firstWrong;
-          while (cell < before && !firstWrong.compare_exchange_weak(before, cell))
-          {
-          }
-        }
-        if (type[cell] == VTK_POLYHEDRON)
-        {
-          hasPolyhedra = true;
-        }
-      }
-    });
-  std::string fault;
-  if (firstWrong < cells)
+  const auto check = [&](const auto* firstOffset, const auto* firstId)
   {
-    fault = DescribeCell(grid, firstWrong, offsets, ids, all);
+    vtkSMPTools::For(0, cells,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        if (!AreWhole(begin, end, type, firstOffset, firstId, all, points, hasPolyhedra))
+        {
+          areWhole = false;
+        }
+      });
+  };
+  offsets.Visit([&](const auto* firstOffset)
+    { ids.Visit([&](const auto* firstId) { check(firstOffset, firstId); }); });
+  std::string fault;
+  if (!areWhole)
+  {
+    for (vtkIdType cell = 0; cell < cells && fault.empty(); ++cell)
+    {
+      fault = DescribeCell(grid, cell, offsets, ids, all);
+    }
   }
   else if (hasPolyhedra)
   {

@@ -42,6 +42,13 @@ public:
                         : static_cast<vtkIdType>(this->Wide[i]);
   }
 
+  /// Calls \a visit with the first value, in the type they are stored in.
+  template <typename Visitor>
+  void Visit(Visitor&& visit) const
+  {
+    this->Narrow ? visit(this->Narrow) : visit(this->Wide);
+  }
+
   void Prefetch(vtkIdType first, vtkIdType last) const
   {
     for (const vtkIdType i : { first, last })
