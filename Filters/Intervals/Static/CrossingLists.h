@@ -3,11 +3,10 @@
 #define interlume_CrossingLists_h
 
 #include "Common/Prefetch.h"
+#include "Common/ThreadLocals.h"
 #include "Output/CrossingKey.h"
 #include "Output/ExtractionBuffer.h"
 #include "Static/ExtractionContext.h"
-
-#include "vtkSMPThreadLocal.h"
 
 #include <atomic>
 #include <cstdint>
@@ -135,7 +134,7 @@ private:
   // The number of points that the owners of a block have.
   std::vector<std::atomic<vtkIdType>> Counts;
   ExtractionBuffer<CrossingKey> Keys;
-  vtkSMPThreadLocal<Arena> Arenas;
+  ThreadLocals<Arena> Arenas;
   std::size_t Bytes = 0;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Static/RowContour.h"
 
+#include "Common/ThreadLocals.h"
 #include "Arrays/PointArrays.h"
 #include "Grid/CellOrientation.h"
 #include "Grid/RowIndex.h"
@@ -8,8 +9,6 @@
 #include "Scalars/ExtractionScalars.h"
 #include "Static/ExtractionIndex.h"
 #include "Static/TiedCases.h"
-
-#include "vtkSMPThreadLocal.h"
 
 #include <array>
 #include <memory>
@@ -336,7 +335,7 @@ private:
   template <typename Id>
   bool Write(vtkIdType rows, Id* ids)
   {
-    vtkSMPThreadLocal<Writer<Id>> writers;
+    ThreadLocals<Writer<Id>> writers;
     return this->Context.Run(rows, 0.4, 0.8,
       [&](vtkIdType first, vtkIdType last)
       {
@@ -598,7 +597,7 @@ private:
   BitRows Bits;
   std::vector<RowPlace> Offsets;
   bool MarksUsed = false;
-  vtkSMPThreadLocal<Local> Locals;
+  ThreadLocals<Local> Locals;
 };
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Static/StructuredExtraction.h"
 
+#include "Common/ThreadLocals.h"
 #include "Grid/CellOrientation.h"
 #include "Grid/RowIndex.h"
 #include "Grid/WholeCells.h"
@@ -18,7 +19,6 @@
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkRectilinearGrid.h"
-#include "vtkSMPThreadLocal.h"
 
 #include <atomic>
 #include <type_traits>
@@ -1093,7 +1093,7 @@ private:
   // All rows of codes, where they are kept.
   ExtractionBuffer<Code> AllCodes;
   std::vector<CodeRow> CodeRows;
-  vtkSMPThreadLocal<Local> Locals;
+  ThreadLocals<Local> Locals;
 };
 }
 

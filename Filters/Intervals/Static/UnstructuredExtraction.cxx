@@ -2,6 +2,7 @@
 #include "Static/UnstructuredExtraction.h"
 
 #include "Common/GridCells.h"
+#include "Common/ThreadLocals.h"
 #include "Grid/CellOrientation.h"
 #include "Grid/CornerOrder.h"
 #include "Scalars/ExtractionScalars.h"
@@ -15,7 +16,6 @@
 #include "Static/WholePolyhedra.h"
 
 #include "vtkPointData.h"
-#include "vtkSMPThreadLocal.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <atomic>
@@ -1071,7 +1071,7 @@ private:
   // The points that cells share; none where every triangle has points of its own.
   std::optional<CrossingLists> Points;
   std::atomic<bool> HasTiedFaces{ false };
-  vtkSMPThreadLocal<SoupBuilder> Soups;
+  ThreadLocals<SoupBuilder> Soups;
   std::vector<Chunk> Chunks;
 };
 

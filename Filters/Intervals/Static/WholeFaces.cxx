@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Static/WholeFaces.h"
 
+#include "Common/ThreadLocals.h"
 #include "Common/Vectors.h"
 #include "Output/TiedFaces.h"
 #include "Static/ExtractionCleanup.h"
 
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
-#include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +65,7 @@ vtkIdType WholeFaces::CountWarped(
   const auto isNear = [&isCut](vtkIdType id)
   { return id >= 0 && isCut[id].load(std::memory_order_relaxed) != 0; };
   const WholeFaces whole(context, mesh);
-  vtkSMPThreadLocal<std::vector<Face>> found;
+  ThreadLocals<std::vector<Face>> found;
   whole.ForEachCell(
     [&](vtkIdType cell, const vtkIdType* ids, int number)
     {

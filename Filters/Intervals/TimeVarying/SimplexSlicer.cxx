@@ -2,6 +2,7 @@
 #include "TimeVarying/SimplexSlicer.h"
 
 #include "Common/GridCells.h"
+#include "Common/ThreadLocals.h"
 #include "Grid/CornerOrder.h"
 #include "Scalars/ExtractionScalars.h"
 #include "Static/CrossingLists.h"
@@ -15,7 +16,6 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkPointData.h"
-#include "vtkSMPThreadLocal.h"
 #include "vtkTimeVaryingSettings.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -409,7 +409,7 @@ private:
   CrossingLists Lists;
   const std::array<Case, 32>& Cases = SimplexSliceTable::GetAll();
   std::vector<Chunk> Chunks;
-  vtkSMPThreadLocal<Builder> Builders;
+  ThreadLocals<Builder> Builders;
   SimplexSlicer::Slice& Slice;
 };
 }

@@ -2,6 +2,7 @@
 #include "TimeVarying/TimeVaryingExtraction.h"
 
 #include "Common/GridCells.h"
+#include "Common/ThreadLocals.h"
 #include "Scalars/ExtractionScalars.h"
 #include "Static/CrossingLists.h"
 #include "Static/ExtractionCell.h"
@@ -16,7 +17,6 @@
 #include "vtkCellArray.h"
 #include "vtkIsotableCache.h"
 #include "vtkPointData.h"
-#include "vtkSMPThreadLocal.h"
 #include "vtkTimeVaryingReport.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -602,7 +602,7 @@ private:
   // The id in the mesh of each point of the slab.
   ExtractionBuffer<vtkIdType> Ids;
   std::vector<Chunk> Chunks;
-  vtkSMPThreadLocal<Workplace> Workplaces;
+  ThreadLocals<Workplace> Workplaces;
 };
 
 template <typename Array>
