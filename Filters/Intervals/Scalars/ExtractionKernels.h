@@ -3,8 +3,10 @@
 #define interlume_ExtractionKernels_h
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 #if defined(_MSC_VER)
 #define INTERLUME_RESTRICT __restrict
@@ -39,6 +41,41 @@ void Classify(const T* INTERLUME_RESTRICT values, std::int64_t number, const T* 
     }
     codes[i] = code;
   }
+}
+
+/// Computes a mark for each code, of less than 256: 1, and for each k < N that is less than the
+/// code steps[k] more.
+template <int N>
+void FillMarks(const Code* INTERLUME_RESTRICT codes, std::int64_t number, const std::uint8_t* steps,
+  std::uint8_t* INTERLUME_RESTRICT marks)
+{
+  // In eight bits throughout, and a mask in the place of a choice: else no vector code is made.
+  using Byte = std::uint8_t;
+  Byte s[N];
+  std::copy_n(steps, N, s);
+  for (std::int64_t i = 0; i < number; ++i)
+  {
+    const Byte code = static_cast<Byte>(codes[i]);
+    Byte mark = 1;
+    for (int k = 0; k < N; ++k)
+    {
+      const Byte mask = static_cast<Byte>(-static_cast<Byte>(code > k));
+      mark = static_cast<Byte>(mark + static_cast<Byte>(s[k] & mask));
+    }
+    marks[i] = mark;
+  }
+}
+
+/// Returns whether no value is NaN or infinite.
+template <typename T>
+bool AreFinite(const T* values, std::int64_t number)
+{
+  int nonFinite = 0;
+  for (std::int64_t i = 0; i < number; ++i)
+  {
+    nonFinite |= !(std::abs(values[i]) <= std::numeric_limits<T>::max());
+  }
+  return nonFinite == 0;
 }
 
 /// Returns the first place after \a first whose code is another than there, or \a last.

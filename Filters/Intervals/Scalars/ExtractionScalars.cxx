@@ -4,6 +4,7 @@
 #include "Scalars/BitKernels.h"
 #include "Scalars/ExtractionDispatch.h"
 #include "Scalars/ExtractionKernels.h"
+#include "Scalars/RowKernels.h"
 
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
@@ -50,10 +51,10 @@ public:
     switch (this->Thresholds.size())
     {
       case 2:
-        ExtractionKernels::Classify<2>(f, number, this->Thresholds.data(), codes);
+        this->template Classify<2>(f, number, codes);
         break;
       case 4:
-        ExtractionKernels::Classify<4>(f, number, this->Thresholds.data(), codes);
+        this->template Classify<4>(f, number, codes);
         break;
       default:
         std::fill(codes, codes + number, Code(0));
@@ -89,7 +90,7 @@ public:
     }
     if constexpr (std::is_floating_point<T>::value)
     {
-      kinds.NonFinite = HasNonFinite(f, number);
+      kinds.NonFinite = !RowKernels::AreFinite(f, number);
       if (kinds.NonFinite)
       {
         const auto isLost = [](T value) { return !std::isfinite(value); };
@@ -117,6 +118,19 @@ private:
   // 64-bit integers need the 64-bit mantissa of long double, where it has one.
   using Real = typename std::conditional<std::is_integral<T>::value && sizeof(T) == 8, long double,
     double>::type;
+
+  template <int N>
+  void Classify(const T* f, vtkIdType number, Code* codes) const
+  {
+    if constexpr (std::is_floating_point<T>::value)
+    {
+      RowKernels::Classify(f, number, this->Thresholds.data(), N, codes);
+    }
+    else
+    {
+      ExtractionKernels::Classify<N>(f, number, this->Thresholds.data(), codes);
+    }
+  }
 
   T GetValue(vtkIdType point) const
   {
@@ -147,21 +161,11 @@ private:
     point.Weight = static_cast<double>(to[isNearA] / (toA + toB));
   }
 
-  static bool HasNonFinite(const T* f, vtkIdType number)
-  {
-    int nonFinite = 0;
-    for (vtkIdType i = 0; i < number; ++i)
-    {
-      nonFinite |= !(std::abs(f[i]) <= std::numeric_limits<T>::max());
-    }
-    return nonFinite != 0;
-  }
-
   bool MarkNonFinite(const T* f, vtkIdType number, Code* codes) const
   {
     if constexpr (std::is_floating_point<T>::value)
     {
-      if (HasNonFinite(f, number))
+      if (!RowKernels::AreFinite(f, number))
       {
         for (vtkIdType i = 0; i < number; ++i)
         {

@@ -20,6 +20,42 @@ inline void FillKeysOf(const RowKernels::Code* const rows[4], RowKernels::Code f
 }
 
 INTERLUME_FUNCTION_CLONES("avx2")
+void RowKernels::Classify(
+  const float* values, std::int64_t number, const float* thresholds, int count, Code* codes)
+{
+  count == 2 ? ExtractionKernels::Classify<2>(values, number, thresholds, codes)
+             : ExtractionKernels::Classify<4>(values, number, thresholds, codes);
+}
+
+INTERLUME_FUNCTION_CLONES("avx2")
+void RowKernels::Classify(
+  const double* values, std::int64_t number, const double* thresholds, int count, Code* codes)
+{
+  count == 2 ? ExtractionKernels::Classify<2>(values, number, thresholds, codes)
+             : ExtractionKernels::Classify<4>(values, number, thresholds, codes);
+}
+
+INTERLUME_FUNCTION_CLONES("avx2")
+bool RowKernels::AreFinite(const float* values, std::int64_t number)
+{
+  return ExtractionKernels::AreFinite(values, number);
+}
+
+INTERLUME_FUNCTION_CLONES("avx2")
+bool RowKernels::AreFinite(const double* values, std::int64_t number)
+{
+  return ExtractionKernels::AreFinite(values, number);
+}
+
+INTERLUME_FUNCTION_CLONES("avx2")
+void RowKernels::FillMarks(
+  const Code* codes, std::int64_t number, const std::uint8_t* steps, int count, std::uint8_t* marks)
+{
+  count == 3 ? ExtractionKernels::FillMarks<3>(codes, number, steps, marks)
+             : ExtractionKernels::FillMarks<5>(codes, number, steps, marks);
+}
+
+INTERLUME_FUNCTION_CLONES("avx2")
 void RowKernels::Summarize(
   const Code* codes, std::int64_t number, Code& least, Code& greatest, Code& bits)
 {

@@ -15,6 +15,25 @@ namespace RowKernels
 {
 using Code = std::uint16_t;
 
+///@{
+/// Compute the number of thresholds, of which there are two or four, that each value reaches.
+void Classify(
+  const float* values, std::int64_t number, const float* thresholds, int count, Code* codes);
+void Classify(
+  const double* values, std::int64_t number, const double* thresholds, int count, Code* codes);
+///@}
+
+///@{
+/// Return whether no value is NaN or infinite.
+bool AreFinite(const float* values, std::int64_t number);
+bool AreFinite(const double* values, std::int64_t number);
+///@}
+
+/// Computes a mark for each code, of less than 256: 1, and for each \a k that is less than the code
+/// steps[k] more. There are three or five steps.
+void FillMarks(const Code* codes, std::int64_t number, const std::uint8_t* steps, int count,
+  std::uint8_t* marks);
+
 void Summarize(const Code* codes, std::int64_t number, Code& least, Code& greatest, Code& bits);
 
 void CountOwned(const Code* here, const Code* along, const Code* above, std::int64_t number,

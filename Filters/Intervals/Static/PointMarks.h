@@ -4,6 +4,7 @@
 
 #include "Output/ExtractionBuffer.h"
 #include "Scalars/ExtractionValues.h"
+#include "Scalars/RowKernels.h"
 
 #include <algorithm>
 #include <array>
@@ -59,6 +60,10 @@ public:
       this->OfCodes.push_back(static_cast<Mark>(1u << (code >> this->Shift)));
     }
     this->OfCodes.push_back(NonFiniteMark);
+    for (int code = 0; code < this->NonFinite; ++code)
+    {
+      this->Steps.push_back(static_cast<Mark>(this->OfCodes[code + 1] - this->OfCodes[code]));
+    }
     this->Marks.Allocate(points);
   }
 
@@ -66,6 +71,12 @@ public:
   {
     const Mark* const ofCodes = this->OfCodes.data();
     Mark* const marks = this->Marks.GetData();
+    const int steps = static_cast<int>(this->Steps.size());
+    if (steps == 3 || steps == 5)
+    {
+      RowKernels::FillMarks(codes + first, last - first, this->Steps.data(), steps, marks + first);
+      return;
+    }
     for (vtkIdType p = first; p < last; ++p)
     {
       marks[p] = ofCodes[codes[p]];
@@ -108,6 +119,8 @@ private:
   int Shift = 0;
   std::array<bool, 256> Near{};
   std::vector<Mark> OfCodes;
+  // By how much the mark of each code but the first is greater than that of the one before.
+  std::vector<Mark> Steps;
   ExtractionBuffer<Mark> Marks;
 };
 

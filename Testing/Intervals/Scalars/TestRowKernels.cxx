@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The ranges of codes around the cells of a row, against a loop over each cell's corners.
+// The ranges of codes around the cells of a row, against a loop over each cell's corners; codes of
+// values, marks of codes and what is finite, against what is asked of each one.
 #include "Reference/Checks/ReferenceCheck.h"
 
 #include "Scalars/RowKernels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -61,6 +65,60 @@ void CheckRow(int number, unsigned codes, std::mt19937& random, Check& check)
   }
 }
 
+template <typename T>
+void CheckValues(int number, std::mt19937& random, Check& check)
+{
+  using interlume::RowKernels::AreFinite;
+  const T infinity = std::numeric_limits<T>::infinity();
+  const T lost[] = { std::numeric_limits<T>::quiet_NaN(), infinity, -infinity };
+  // Many of the values are a threshold.
+  const T thresholds[] = { T(3), std::nextafter(T(3), infinity), T(6), T(7) };
+  std::vector<T> values(static_cast<std::size_t>(number));
+  std::generate(values.begin(), values.end(), [&]() { return static_cast<T>(random() % 10); });
+  const std::string name = std::to_string(number) + " values";
+  check.That(AreFinite(values.data(), number), name + " are finite");
+  for (int i = 0; i < number; ++i)
+  {
+    std::vector<T> changed = values;
+    changed[static_cast<std::size_t>(i)] = lost[i % 3];
+    check.That(!AreFinite(changed.data(), number), name + ": " + std::to_string(i) + " is not");
+    values[static_cast<std::size_t>(i)] =
+      i % 5 == 0 ? lost[i % 3] : values[static_cast<std::size_t>(i)];
+  }
+  for (const int count : { 2, 4 })
+  {
+    std::vector<Code> codes(values.size());
+    interlume::RowKernels::Classify(values.data(), number, thresholds, count, codes.data());
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      const auto reached = std::count_if(
+        thresholds, thresholds + count, [&](T threshold) { return values[i] >= threshold; });
+      check.Equal(codes[i], reached, name + ": code " + std::to_string(i));
+    }
+  }
+}
+
+void CheckMarks(int number, int count, std::mt19937& random, Check& check)
+{
+  std::vector<Code> codes(static_cast<std::size_t>(number));
+  std::generate(codes.begin(), codes.end(),
+    [&]() { return static_cast<Code>(random() % static_cast<unsigned>(count + 1)); });
+  std::vector<std::uint8_t> ofCodes{ 1 };
+  std::vector<std::uint8_t> steps;
+  for (int step = 0; step < count; ++step)
+  {
+    ofCodes.push_back(static_cast<std::uint8_t>(random()));
+    steps.push_back(static_cast<std::uint8_t>(ofCodes.back() - ofCodes[ofCodes.size() - 2]));
+  }
+  std::vector<std::uint8_t> marks(codes.size());
+  interlume::RowKernels::FillMarks(codes.data(), number, steps.data(), count, marks.data());
+  for (std::size_t i = 0; i < codes.size(); ++i)
+  {
+    check.Equal(
+      marks[i], ofCodes[codes[i]], "mark " + std::to_string(i) + " of " + std::to_string(number));
+  }
+}
+
 }
 
 int TestRowKernels(int, char*[])
@@ -69,6 +127,10 @@ int TestRowKernels(int, char*[])
   std::mt19937 random(7);
   for (const int number : { 1, 2, 7, 8, 15, 16, 17, 31, 33, 100, 512 })
   {
+    CheckValues<float>(number, random, check);
+    CheckValues<double>(number, random, check);
+    CheckMarks(number, 3, random, check);
+    CheckMarks(number, 5, random, check);
     for (const unsigned codes : { 2U, 5U, 40000U })
     {
       CheckRow(number, codes, random, check);
