@@ -112,9 +112,11 @@ public:
 
   /**
    * Cuts a case in the order given, calling simplex(const Simplex&) and boundary(const Triangle&).
+   * \a ranks has a number for each slot of the case, as a RankArray has, which alone matters in its
+   * order.
    */
-  template <typename SimplexVisitor, typename BoundaryVisitor>
-  void Cut(const Case& what, const RankArray& ranks, SimplexVisitor&& simplex,
+  template <typename Ranks, typename SimplexVisitor, typename BoundaryVisitor>
+  void Cut(const Case& what, const Ranks& ranks, SimplexVisitor&& simplex,
     BoundaryVisitor&& boundary) const
   {
     this->CutNamed(
@@ -157,9 +159,9 @@ public:
   }
 
 private:
-  template <typename Name, typename SimplexVisitor, typename BoundaryVisitor>
-  void CutNamed(const Case& what, const RankArray& ranks, const Name& name,
-    SimplexVisitor&& simplex, BoundaryVisitor&& boundary) const
+  template <typename Ranks, typename Name, typename SimplexVisitor, typename BoundaryVisitor>
+  void CutNamed(const Case& what, const Ranks& ranks, const Name& name, SimplexVisitor&& simplex,
+    BoundaryVisitor&& boundary) const
   {
     for (const Slot* at = what.Pieces.data(); at != what.Pieces.data() + what.Pieces.size();)
     {
@@ -168,8 +170,8 @@ private:
     }
   }
 
-  template <typename Name>
-  static Slot First(const Slot* slots, int number, const RankArray& ranks, const Name& name)
+  template <typename Ranks, typename Name>
+  static Slot First(const Slot* slots, int number, const Ranks& ranks, const Name& name)
   {
     Slot first = name(slots[0]);
     for (int i = 1; i < number; ++i)
@@ -181,9 +183,9 @@ private:
   }
 
   // Calls fan(a, b, c) for the triangles of a polygon coned from its first point.
-  template <typename Name, typename Fan>
+  template <typename Ranks, typename Name, typename Fan>
   static void PullPolygon(
-    const Slot* slots, int number, const RankArray& ranks, const Name& name, Fan&& fan)
+    const Slot* slots, int number, const Ranks& ranks, const Name& name, Fan&& fan)
   {
     int start = 0;
     for (int i = 1; i < number; ++i)
@@ -199,9 +201,9 @@ private:
     }
   }
 
-  template <typename Name, typename SimplexVisitor>
+  template <typename Ranks, typename Name, typename SimplexVisitor>
   static const Slot* CutPolygon(
-    const Slot* at, const RankArray& ranks, const Name& name, SimplexVisitor&& simplex)
+    const Slot* at, const Ranks& ranks, const Name& name, SimplexVisitor&& simplex)
   {
     const int number = at[0];
     PullPolygon(at + 1, number, ranks, name,
@@ -211,8 +213,8 @@ private:
     return at + 1 + number;
   }
 
-  template <typename Name, typename SimplexVisitor, typename BoundaryVisitor>
-  static const Slot* CutSolid(const Slot* at, const RankArray& ranks, const Name& name,
+  template <typename Ranks, typename Name, typename SimplexVisitor, typename BoundaryVisitor>
+  static const Slot* CutSolid(const Slot* at, const Ranks& ranks, const Name& name,
     SimplexVisitor&& simplex, BoundaryVisitor&& boundary)
   {
     const Slot apex = First(at + 1, at[0], ranks, name);

@@ -5,9 +5,77 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
 
 namespace interlume
 {
+
+namespace
+{
+// The corners of a hexahedron in the order that each turn puts them into. A turn is told by the
+// corner that comes first and by three bits for the corners beside it along the three axes: whether
+// the second comes before the first, the third before the second, the third before the first.
+struct HexahedronTurns
+{
+  std::uint8_t Corners[8][8][8] = {};
+
+  static constexpr HexahedronTurns Make()
+  {
+    HexahedronTurns made;
+    for (int exchanges = 0; exchanges < 8; ++exchanges)
+    {
+      const int secondBeforeFirst = exchanges & 1;
+      const int thirdBeforeSecond = (exchanges >> 1) & 1;
+      const int thirdBeforeFirst = (exchanges >> 2) & 1;
+      int axes[3] = {};
+      axes[secondBeforeFirst + thirdBeforeFirst] = 1;
+      axes[1 - secondBeforeFirst + thirdBeforeSecond] = 2;
+      axes[2 - thirdBeforeSecond - thirdBeforeFirst] = 4;
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        for (int v = 0; v < 8; ++v)
+        {
+          made.Corners[corner][exchanges][v] = static_cast<std::uint8_t>(
+            corner ^ ((v & 1) ? axes[0] : 0) ^ ((v & 2) ? axes[1] : 0) ^ ((v & 4) ? axes[2] : 0));
+        }
+      }
+    }
+    return made;
+  }
+};
+
+// Has the ids at \a from, one by one: what was just written as eight numbers is slow to read as
+// four pairs.
+template <std::size_t... V>
+void Permute(const std::uint8_t* from, vtkIdType* ids, std::index_sequence<V...>)
+{
+  const vtkIdType permuted[] = { ids[from[V]]... };
+  ((ids[V] = permuted[V]), ...);
+}
+
+// A known number needs no loop.
+template <int Known>
+void RankKeys(const vtkIdType* keys, int number, vtkIsotable::Slot* ranks)
+{
+  const int end = Known ? Known : number;
+  int counts[vtkIsotable::MaximumNumberOfVertices] = {};
+  for (int a = 0; a < end; ++a)
+  {
+    for (int b = a + 1; b < end; ++b)
+    {
+      const int isLater = keys[b] < keys[a];
+      counts[a] += isLater;
+      counts[b] += 1 - isLater;
+    }
+  }
+  for (int v = 0; v < end; ++v)
+  {
+    ranks[v] = static_cast<vtkIsotable::Slot>(counts[v]);
+  }
+}
+}
 
 CornerOrder::CornerOrder(vtkPointData* points)
 {
@@ -17,14 +85,9 @@ CornerOrder::CornerOrder(vtkPointData* points)
 
 void CornerOrder::Rank(const vtkIdType* ids, int number, vtkIsotable::Slot* ranks) const
 {
-  std::fill_n(ranks, number, vtkIsotable::Slot(0));
-  for (int a = 0; a < number; ++a)
-  {
-    for (int b = a + 1; b < number; ++b)
-    {
-      ++ranks[this->IsBefore(ids[b], ids[a]) ? a : b];
-    }
-  }
+  vtkIdType room[vtkIsotable::MaximumNumberOfVertices];
+  const vtkIdType* const keys = this->GetKeys(ids, number, room);
+  number == 8 ? RankKeys<8>(keys, number, ranks) : RankKeys<0>(keys, number, ranks);
 }
 
 void CornerOrder::Turn(vtkIsotable::Shapes shape, vtkIdType* ids) const
@@ -78,26 +141,22 @@ void CornerOrder::TurnWedge(vtkIdType* ids) const
 
 void CornerOrder::TurnHexahedron(vtkIdType* ids) const
 {
-  const auto before = [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); };
-  const int corner = static_cast<int>(std::min_element(ids, ids + 8, before) - ids);
-  int axes[3] = { 1, 2, 4 };
-  const auto order = [&](int& a, int& b)
+  static constexpr HexahedronTurns turns = HexahedronTurns::Make();
+  vtkIdType room[8];
+  const vtkIdType* const keys = this->GetKeys(ids, 8, room);
+  int corner = 0;
+  vtkIdType least = keys[0];
+  for (int v = 1; v < 8; ++v)
   {
-    if (before(ids[corner ^ b], ids[corner ^ a]))
-    {
-      std::swap(a, b);
-    }
-  };
-  order(axes[0], axes[1]);
-  order(axes[1], axes[2]);
-  order(axes[0], axes[1]);
-  vtkIdType turned[8];
-  for (int v = 0; v < 8; ++v)
-  {
-    turned[v] =
-      ids[corner ^ ((v & 1) ? axes[0] : 0) ^ ((v & 2) ? axes[1] : 0) ^ ((v & 4) ? axes[2] : 0)];
+    // Which corner is the first cannot be predicted, so that there is no branch.
+    const bool isBefore = keys[v] < least;
+    corner = isBefore ? v : corner;
+    least = isBefore ? keys[v] : least;
   }
-  std::copy_n(turned, 8, ids);
+  const vtkIdType along[3] = { keys[corner ^ 1], keys[corner ^ 2], keys[corner ^ 4] };
+  const int exchanges = static_cast<int>(along[1] < along[0]) |
+    (static_cast<int>(along[2] < along[1]) << 1) | (static_cast<int>(along[2] < along[0]) << 2);
+  Permute(turns.Corners[corner][exchanges], ids, std::make_index_sequence<8>());
 }
 
 }

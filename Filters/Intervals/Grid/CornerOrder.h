@@ -37,12 +37,9 @@ public:
 
   bool IsAscending(const vtkIdType* ids, int number) const
   {
-    bool ascending = true;
-    for (int v = 1; v < number; ++v)
-    {
-      ascending &= this->IsBefore(ids[v - 1], ids[v]);
-    }
-    return ascending;
+    vtkIdType room[vtkIsotable::MaximumNumberOfVertices];
+    const vtkIdType* const keys = this->GetKeys(ids, number, room);
+    return number == 8 ? AreAscending<8>(keys, number) : AreAscending<0>(keys, number);
   }
 
   /// Returns whether putting ids in ascending order takes an odd number of exchanges.
@@ -104,6 +101,29 @@ public:
   }
 
 private:
+  // Returns the numbers that corners are ordered by, which may be put into \a room.
+  const vtkIdType* GetKeys(const vtkIdType* ids, int number, vtkIdType* room) const
+  {
+    for (int v = 0; this->GlobalIds && v < number; ++v)
+    {
+      room[v] = this->GlobalIds[ids[v]];
+    }
+    return this->GlobalIds ? room : ids;
+  }
+
+  // A known number needs no loop.
+  template <int Known>
+  static bool AreAscending(const vtkIdType* keys, int number)
+  {
+    const int end = Known ? Known : number;
+    bool ascending = true;
+    for (int v = 1; v < end; ++v)
+    {
+      ascending &= keys[v - 1] < keys[v];
+    }
+    return ascending;
+  }
+
   void TurnPyramid(vtkIdType* ids) const;
   void TurnWedge(vtkIdType* ids) const;
   void TurnHexahedron(vtkIdType* ids) const;

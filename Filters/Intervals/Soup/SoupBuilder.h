@@ -62,7 +62,6 @@ public:
   void Add(
     const vtkIsotable::Simplex* triangles, std::size_t number, const Index* points, bool isInverted)
   {
-    const int first = isInverted ? 1 : 0;
     const std::size_t end = this->NumberOfCorners + 3 * number;
     if (end > this->Corners.size())
     {
@@ -72,8 +71,10 @@ public:
     this->NumberOfCorners = end;
     for (std::size_t t = 0; t < number; ++t, corner += 3)
     {
-      corner[0] = points[triangles[t][first]];
-      corner[1] = points[triangles[t][1 - first]];
+      const Index first = points[triangles[t][0]];
+      const Index second = points[triangles[t][1]];
+      corner[0] = isInverted ? second : first;
+      corner[1] = isInverted ? first : second;
       corner[2] = points[triangles[t][2]];
     }
   }

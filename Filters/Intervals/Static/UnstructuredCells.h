@@ -11,6 +11,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -36,10 +37,6 @@ public:
     , Offsets(offsets)
     , Ids(ids)
   {
-    for (int type = 0; type < 256; ++type)
-    {
-      this->CornersOfType.push_back(CellCorners::Of(type));
-    }
     // Cells of one type and of the least size that it has lie at equal distances.
     const vtkIdType cells = grid->GetNumberOfCells();
     const CellCorners& first = this->GetCorners(0);
@@ -123,6 +120,20 @@ public:
   unsigned char GetType(vtkIdType cell) const { return this->Types[cell]; }
 
 private:
+  static const CellCorners* GetCornersOfTypes()
+  {
+    static const std::array<CellCorners, 256> corners = []()
+    {
+      std::array<CellCorners, 256> made;
+      for (int type = 0; type < 256; ++type)
+      {
+        made[type] = CellCorners::Of(type);
+      }
+      return made;
+    }();
+    return corners.data();
+  }
+
   const Stored* GetFirst(vtkIdType cell) const
   {
     return this->Ids +
@@ -150,7 +161,7 @@ private:
   const Stored* Ids;
   // The number of corners of all cells of a uniform grid, else 0.
   int Stride = 0;
-  std::vector<CellCorners> CornersOfType;
+  const CellCorners* CornersOfType = GetCornersOfTypes();
 };
 
 }

@@ -20,6 +20,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <type_traits>
@@ -41,6 +42,12 @@ constexpr int CellsAhead = 4;
 // The size of what a cut of its own left.
 struct CutSize
 {
+  CutSize(std::size_t simplices, std::size_t triangles)
+    : Simplices(static_cast<std::uint8_t>(simplices))
+    , Triangles(static_cast<std::uint8_t>(triangles))
+  {
+  }
+
   std::uint8_t Simplices;
   std::uint8_t Triangles;
 };
@@ -48,6 +55,16 @@ struct CutSize
 // A case met in a chunk of cells.
 struct Found
 {
+  Found(vtkIdType position, int key, std::size_t item, bool isPlain, bool isMerged, bool isInverted)
+    : Position(static_cast<std::uint16_t>(position))
+    , Key(static_cast<std::uint16_t>(key))
+    , Item(static_cast<std::uint16_t>(item))
+    , IsPlain(isPlain)
+    , IsMerged(isMerged)
+    , IsInverted(isInverted)
+  {
+  }
+
   // The place of the cell, counted from the chunk's first.
   std::uint16_t Position;
   std::uint16_t Key;
@@ -179,6 +196,8 @@ public:
     , NumberOfCells(grid->GetNumberOfCells())
     , SimplexSize(context.GetSimplexSize())
     , Marks(*context.Values, grid->GetNumberOfPoints())
+    , AreIdsRanks(
+        Order.IsById() && grid->GetNumberOfPoints() <= std::numeric_limits<std::uint32_t>::max())
     , KeepsNodes(context.Values->GetKind() == vtkIsotable::CONTOUR)
   {
     if (!context.Soup || context.TakeDuplicates)
@@ -511,8 +530,9 @@ private:
     report.NonFiniteCells += nonFinite;
   }
 
-  // Counts a cell of one value's contour, without shared points, for which the table's own cut
-  // serves: nearly all are. Returns false, and does nothing, where it does not.
+  // Counts a cell of one value's contour, without shared points, in which no two slots are one
+  // point: nearly all are. Returns false, and does nothing, where some may be, and where corners
+  // are neither in ascending order nor ordered by ids that are small.
   bool CountPlain(const Cell& cell, vtkIdType position, Chunk& chunk, SoupBuilder& soup) const
   {
     return cell.NumberOfCorners == 8 ? this->template CountPlain<8>(cell, position, chunk, soup)
@@ -532,7 +552,8 @@ private:
       all |= mark;
       key |= static_cast<unsigned>(PointMarks::IsReached(mark)) << v;
     }
-    if (!cell.IsAscending || PointMarks::HasTie(static_cast<PointMarks::Mark>(all)))
+    if (PointMarks::HasTie(static_cast<PointMarks::Mark>(all)) ||
+      (!cell.IsAscending && (!this->AreIdsRanks || ExtractionCell::IsCollapsed(cell.Ids, corners))))
     {
       return false;
     }
@@ -540,19 +561,34 @@ private:
     const bool isInverted = this->IsInverted(cell);
     const Item& item = this->Values.GetItems().front();
     SoupPart::Index points[vtkIsotable::MaximumNumberOfSlots];
+    // The order of the slots is that of the edges' lower ends, then of the upper ones.
+    std::uint64_t ranks[vtkIsotable::MaximumNumberOfSlots];
     soup.Reserve();
     for (const Slot slot : what.Slots)
     {
       vtkIdType owner;
       const CrossingKey point = this->GetPoint(cell, item, slot, owner);
       points[slot] = soup.Enter(owner, point);
+      ranks[slot] =
+        (static_cast<std::uint64_t>(owner) << 32) | static_cast<std::uint64_t>(point.GetFar());
     }
-    const std::size_t number = what.Simplices.size();
-    soup.Add(what.Simplices.data(), number, points, isInverted);
+    const vtkIsotable::Simplex* simplices = what.Simplices.data();
+    std::size_t number = what.Simplices.size();
+    if (!cell.IsAscending)
+    {
+      const std::size_t first = chunk.CutSimplices.size();
+      this->Tables[cell.Shape]->Cut(
+        what, ranks, [&chunk](const vtkIsotable::Simplex& s) { chunk.CutSimplices.push_back(s); },
+        [](const vtkIsotable::Triangle&) {});
+      simplices = chunk.CutSimplices.data() + first;
+      number = chunk.CutSimplices.size() - first;
+      chunk.Cuts.emplace_back(number, 0);
+    }
+    soup.Add(simplices, number, points, isInverted);
     chunk.Simplices += static_cast<vtkIdType>(number);
     ++chunk.Report.CellsWithOutput;
-    chunk.Cases.push_back({ static_cast<std::uint16_t>(position), static_cast<std::uint16_t>(key),
-      0, true, false, isInverted });
+    chunk.Cases.emplace_back(
+      position, static_cast<int>(key), 0, cell.IsAscending, false, isInverted);
     return true;
   }
 
@@ -620,8 +656,7 @@ private:
       }
       chunk.Simplices += static_cast<vtkIdType>(cut.NumberOfSimplices);
       chunk.Triangles += static_cast<vtkIdType>(cut.NumberOfTriangles);
-      chunk.Cases.push_back({ static_cast<std::uint16_t>(position), static_cast<std::uint16_t>(key),
-        static_cast<std::uint16_t>(number), isPlain, isMerged, isInverted });
+      chunk.Cases.emplace_back(position, key, number, isPlain, isMerged, isInverted);
     }
     chunk.Report.CellsWithOutput += GetOutput(chunk) != before;
   }
@@ -855,8 +890,8 @@ private:
     {
       table.Cut(what, ranks, simplex, boundary);
     }
-    chunk.Cuts.push_back({ static_cast<std::uint8_t>(chunk.CutSimplices.size() - firstSimplex),
-      static_cast<std::uint8_t>(chunk.CutTriangles.size() - firstTriangle) });
+    chunk.Cuts.emplace_back(
+      chunk.CutSimplices.size() - firstSimplex, chunk.CutTriangles.size() - firstTriangle);
     return this->GetOwnCut(chunk, chunk.Cuts.back(), firstSimplex, firstTriangle, slots);
   }
 
@@ -1064,6 +1099,8 @@ private:
 
   ExtractionBuffer<Code> Codes;
   PointMarks Marks;
+  // Whether corners are ordered by ids that fit in 32 bits.
+  bool AreIdsRanks;
   // Whether the nodes of points are kept. A contour is small beside its grid: it is quicker to note
   // the points of its cells than to look them up once more. For the tetrahedra of an interval that
   // would take too much memory.
