@@ -206,6 +206,7 @@ vtkIsotableHull::vtkIsotableHull(int dimension, const std::vector<Point>& points
   {
     return;
   }
+  this->Facets.reserve(builder.Faces.size());
   for (const Face& face : builder.Faces)
   {
     this->Facets.push_back({ face.Points, face.Outward });
@@ -242,6 +243,7 @@ vtkIsotablePointSet vtkIsotableHull::SmallestFace(std::initializer_list<int> poi
 std::vector<vtkIsotablePointSet> vtkIsotableHull::FacetsOf(const vtkIsotablePointSet& face) const
 {
   std::vector<vtkIsotablePointSet> result;
+  result.reserve(this->Facets.size());
   for (const Facet& facet : this->Facets)
   {
     const vtkIsotablePointSet common = face & facet.Points;

@@ -4,6 +4,7 @@
 #include "Combinatorics/IsotableAlgebra.h"
 
 #include <algorithm>
+#include <array>
 
 namespace
 {
@@ -49,6 +50,7 @@ vtkIsotablePatch::vtkIsotablePatch(
 vtkIsotablePatch::PointList vtkIsotablePatch::GetEdges(const vtkIsotablePointSet& face) const
 {
   PointList edges;
+  edges.reserve(face.Count());
   face.ForEach([&](int i) { edges.push_back(this->EdgeOfPoint[i]); });
   return edges;
 }
@@ -76,18 +78,23 @@ bool vtkIsotablePatch::IsPositive(const Facet& facet, const PointList& simplex) 
 
 vtkIsotablePatch::PointList vtkIsotablePatch::ChainPolygon(const vtkIsotablePointSet& polygon) const
 {
-  std::vector<PointList> sides;
-  for (const vtkIsotablePointSet& side : this->GetFacesOf(polygon))
+  std::vector<std::array<int, 2>> sides;
+  sides.reserve(polygon.Count());
+  for (vtkIsotablePointSet side : this->GetFacesOf(polygon))
   {
-    sides.push_back(this->GetEdges(side));
+    const int first = side.GetFirst();
+    side.Remove(first);
+    sides.push_back({ { this->EdgeOfPoint[first], this->EdgeOfPoint[side.GetFirst()] } });
   }
-  PointList chain = sides.back();
+  PointList chain;
+  chain.reserve(sides.size());
+  chain.assign(sides.back().begin(), sides.back().end());
   sides.pop_back();
   while (sides.size() > 1)
   {
     const int last = chain.back();
     const auto next = std::find_if(sides.begin(), sides.end(),
-      [last](const PointList& side) { return side[0] == last || side[1] == last; });
+      [last](const std::array<int, 2>& side) { return side[0] == last || side[1] == last; });
     chain.push_back((*next)[0] == last ? (*next)[1] : (*next)[0]);
     sides.erase(next);
   }
@@ -107,6 +114,7 @@ vtkIsotablePatch::PointList vtkIsotablePatch::GetPolygon(const Facet& facet) con
 std::vector<vtkIsotablePatch::PointList> vtkIsotablePatch::GetFaces(const Facet& facet) const
 {
   std::vector<PointList> faces;
+  faces.reserve(this->Hull.GetFacets().size());
   for (const vtkIsotablePointSet& face : this->GetFacesOf(facet.HullPoints))
   {
     if (this->Cell.Dimension != 4)
