@@ -182,33 +182,34 @@ int vtkIntervalVolume::RequestData(
   const interlume::KeptMemory::Use use(this->Memory.get());
   const int passes = 1 + this->GetNumberOfCriteria();
   this->SetProgressShiftScale(0.0, 1.0 / passes);
-  vtkNew<vtkUnstructuredGrid> cut;
-  vtkNew<vtkUnstructuredGrid> cutBoundary;
   vtkDataArray* scalars = vtkDataArray::SafeDownCast(array);
   this->SetProgressText("Extracting the intervals");
   interlume::WholePass wholePass;
   interlume::WholePass* const whole = this->KeepWholeCells ? &wholePass : nullptr;
-  bool completed = this->ExtractIntervals(input, scalars, whole, cut, cutBoundary);
-  this->Empty->Add(input, scalars, cut->GetNumberOfCells());
+  bool completed = this->ExtractIntervals(input, scalars, whole, output, boundary);
+  this->Empty->Add(input, scalars, output->GetNumberOfCells());
   for (int pass = 1; completed && pass < passes; ++pass)
   {
     this->SetProgressText(
       ("Cutting to the criterion on " + this->Criteria[pass - 1].ArrayName).c_str());
     this->SetProgressShiftScale(static_cast<double>(pass) / passes, 1.0 / passes);
-    completed = this->ApplyCriterion(pass - 1, whole, cut, cutBoundary);
+    completed = this->ApplyCriterion(pass - 1, whole, output, boundary);
   }
   this->SetProgressShiftScale(0.0, 1.0);
-  if (completed)
+  for (vtkUnstructuredGrid* grid : { output, boundary })
   {
-    interlume::ExtractionArrays::ActivateScalars(scalars->GetName(), cut->GetPointData());
-    interlume::ExtractionArrays::ActivateScalars(scalars->GetName(), cutBoundary->GetPointData());
-    // The pipeline has passed field data on to the outputs, which the copies replace.
-    cut->GetFieldData()->ShallowCopy(input->GetFieldData());
-    cutBoundary->GetFieldData()->ShallowCopy(input->GetFieldData());
-    output->ShallowCopy(cut);
-    boundary->ShallowCopy(cutBoundary);
-    this->Report.Passes = passes;
+    if (completed)
+    {
+      interlume::ExtractionArrays::ActivateScalars(scalars->GetName(), grid->GetPointData());
+    }
+    else
+    {
+      grid->Initialize();
+    }
+    // The pipeline has passed field data on to the outputs, which criteria and an abort empty.
+    grid->GetFieldData()->ShallowCopy(input->GetFieldData());
   }
+  this->Report.Passes = completed ? passes : this->Report.Passes;
   return 1;
 }
 

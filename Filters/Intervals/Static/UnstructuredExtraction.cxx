@@ -340,9 +340,18 @@ private:
     return this->Marks.IsNear(marks);
   }
 
-  // Reads a cell but for its codes; one whose corners do not ascend is turned until most of them
-  // do.
+  // Reads a cell but for its codes.
   void Read(vtkIdType id, Cell& cell) const
+  {
+    if (this->ReadCorners(id, cell))
+    {
+      cell.IsAscending = this->Order.IsAscending(cell.Ids, cell.NumberOfCorners);
+    }
+  }
+
+  // Reads what names the points of a cell; one whose corners do not ascend is turned until most of
+  // them do. Returns whether it was turned, after which it is left open whether they ascend.
+  bool ReadCorners(vtkIdType id, Cell& cell) const
   {
     const CellCorners& corners = this->Cells.GetCorners(id);
     cell.Id = id;
@@ -351,23 +360,24 @@ private:
     this->Cells.GetIds(id, corners, cell.Ids);
     cell.IsAscending = this->Order.IsAscending(cell.Ids, cell.NumberOfCorners);
     cell.IsReflected = false;
-    if (!cell.IsAscending)
+    if (cell.IsAscending)
     {
-      if (cell.Shape == vtkIsotable::TETRAHEDRON)
-      {
-        cell.IsReflected = this->Order.IsOdd(cell.Ids, cell.NumberOfCorners);
-      }
-      this->Order.Turn(cell.Shape, cell.Ids);
-      cell.IsAscending = this->Order.IsAscending(cell.Ids, cell.NumberOfCorners);
+      return false;
     }
+    if (cell.Shape == vtkIsotable::TETRAHEDRON)
+    {
+      cell.IsReflected = this->Order.IsOdd(cell.Ids, cell.NumberOfCorners);
+    }
+    this->Order.Turn(cell.Shape, cell.Ids);
+    return true;
   }
 
-  // Reads a cell unless it is the one that was read last.
+  // Reads what names the points of a cell unless it is the one that was read last.
   void ReadNext(vtkIdType id, Cell& cell) const
   {
     if (id != cell.Id)
     {
-      this->Read(id, cell);
+      this->ReadCorners(id, cell);
     }
   }
 
