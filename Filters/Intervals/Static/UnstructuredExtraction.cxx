@@ -401,13 +401,21 @@ private:
       what.Slots.size() };
   }
 
-  // Returns a cut that was kept. Only the points of simplices that keep all their points are used;
-  // their slots are put into \a slots.
+  // Returns a cut of a case that was kept. Any cut uses all points of the case, but for one in
+  // which slots were made one: of that only the points of simplices that keep all their points are
+  // used; their slots are put into \a slots.
   Cut GetOwnCut(const Chunk& chunk, CutSize size, std::size_t firstSimplex,
-    std::size_t firstTriangle, Slot* slots) const
+    std::size_t firstTriangle, const vtkIsotable::Case& what, bool isMerged, Slot* slots) const
   {
     Cut cut{ chunk.CutSimplices.data() + firstSimplex, size.Simplices,
-      chunk.CutTriangles.data() + firstTriangle, size.Triangles, slots, 0 };
+      chunk.CutTriangles.data() + firstTriangle, size.Triangles, what.Slots.data(),
+      what.Slots.size() };
+    if (!isMerged)
+    {
+      return cut;
+    }
+    cut.Slots = slots;
+    cut.NumberOfSlots = 0;
     std::uint32_t used = 0;
     const auto use = [&](Slot slot)
     {
@@ -902,7 +910,8 @@ private:
     }
     chunk.Cuts.emplace_back(
       chunk.CutSimplices.size() - firstSimplex, chunk.CutTriangles.size() - firstTriangle);
-    return this->GetOwnCut(chunk, chunk.Cuts.back(), firstSimplex, firstTriangle, slots);
+    return this->GetOwnCut(
+      chunk, chunk.Cuts.back(), firstSimplex, firstTriangle, what, same != nullptr, slots);
   }
 
   // Turns the counts of chunks into the places where they begin, and makes room for all.
@@ -962,8 +971,10 @@ private:
     {
       const vtkIdType id = number * ChunkSize + found.Position;
       const vtkIsotable::Shapes shape = this->Cells.GetCorners(id).Shape;
-      const Cut cut = found.IsPlain ? this->GetTableCut(this->Tables[shape]->GetCase(found.Key))
-                                    : this->GetOwnCut(chunk, *own, ownSimplex, ownTriangle, slots);
+      const vtkIsotable::Case& what = this->Tables[shape]->GetCase(found.Key);
+      const Cut cut = found.IsPlain
+        ? this->GetTableCut(what)
+        : this->GetOwnCut(chunk, *own, ownSimplex, ownTriangle, what, found.IsMerged, slots);
       if (!found.IsPlain)
       {
         ownSimplex += own->Simplices;
