@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
+//INTERLUME::FEATURES
 
-// One point is one tetrahedron; its number is the index that was drawn.
+// One point is one tetrahedron, in the order of drawing.
+#ifdef ORDERED
+uniform usamplerBuffer order;
+#endif
 flat out int vertexTetrahedron;
 
 void main()
 {
   vertexTetrahedron = gl_VertexID;
+#ifdef ORDERED
+  vertexTetrahedron = int(texelFetch(order, gl_VertexID).x);
+#endif
   gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
 }

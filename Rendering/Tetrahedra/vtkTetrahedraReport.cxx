@@ -6,6 +6,8 @@
 void vtkTetrahedraReport::Print(ostream& os, vtkIndent indent) const
 {
   os << indent << "RenderPath: " << this->RenderPath << " (" << this->PathReason << ")\n";
+  os << indent << "SilhouetteShader: " << this->SilhouetteShader << " (" << this->ShaderReason
+     << ")\n";
   os << indent << "BlendMode: " << this->BlendMode << " (" << this->BlendReason << ")\n";
   os << indent << "SortMode: " << this->SortMode << " (" << this->SortReason << ")\n";
   interlume::NamedValue::Print(os, indent,

@@ -25,6 +25,10 @@ struct INTERLUMETETRAHEDRA_EXPORT vtkTetrahedraReport
   int BlendMode = 0;
   int SortMode = 0;
   std::string PathReason;
+  /// The shader that made silhouettes, of vtkTetrahedraSettings::SilhouetteShaders, with the OpenGL
+  /// path, and why; 0 and nothing with the other.
+  int SilhouetteShader = 0;
+  std::string ShaderReason;
   std::string BlendReason;
   std::string SortReason;
   /// The names of the parts of shader or kernel that ran, separated by spaces, such as `scalars

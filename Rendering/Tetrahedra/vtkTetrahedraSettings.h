@@ -74,7 +74,7 @@ struct vtkTetrahedraSettings
    */
   enum RenderPaths
   {
-    /// Geometry shader and float framebuffer, OpenGL 3.2 core.
+    /// Silhouettes by shaders and a float framebuffer, OpenGL 3.2 core.
     OPENGL_PATH = 0,
     /// Threads and tiles on the CPU.
     SOFTWARE_PATH = 1,
@@ -82,9 +82,23 @@ struct vtkTetrahedraSettings
     AUTOMATIC_PATH = 2
   };
 
+  /**
+   * Which shader makes the silhouettes of tetrahedra with OPENGL_PATH.
+   */
+  enum SilhouetteShaders
+  {
+    /// A geometry shader, of one point for each tetrahedron.
+    GEOMETRY_SHADER = 0,
+    /// A vertex shader, whose four vertices for each tetrahedron pull it from buffers.
+    VERTEX_SHADER = 1,
+    /// GEOMETRY_SHADER where OpenGL is software, VERTEX_SHADER on a graphics card.
+    AUTOMATIC_SHADER = 2
+  };
+
   int IntegrationMode = LINEAR_SEGMENT;
   int SortMode = AUTOMATIC_SORT;
   int RenderPath = AUTOMATIC_PATH;
+  int SilhouetteShader = AUTOMATIC_SHADER;
   bool HasDeltaTArrayName = false;
   std::string DeltaTArrayName;
   std::string LayerArrayName = "IntervalId";

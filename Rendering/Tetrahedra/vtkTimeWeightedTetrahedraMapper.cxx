@@ -343,6 +343,7 @@ void vtkTimeWeightedTetrahedraMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IntegrationMode: " << this->IntegrationMode << "\n";
   os << indent << "SortMode: " << this->SortMode << "\n";
   os << indent << "RenderPath: " << this->RenderPath << "\n";
+  os << indent << "SilhouetteShader: " << this->SilhouetteShader << "\n";
   os << indent
      << "DeltaTArrayName: " << (this->HasDeltaTArrayName ? this->DeltaTArrayName.c_str() : "(none)")
      << "\n";

@@ -100,10 +100,12 @@ public:
   using vtkTetrahedraSettings::ADDITIVE_BLEND;
   using vtkTetrahedraSettings::AUTOMATIC_BLEND;
   using vtkTetrahedraSettings::AUTOMATIC_PATH;
+  using vtkTetrahedraSettings::AUTOMATIC_SHADER;
   using vtkTetrahedraSettings::AUTOMATIC_SORT;
   using vtkTetrahedraSettings::AVERAGE_COLOR;
   using vtkTetrahedraSettings::BlendModes;
   using vtkTetrahedraSettings::CENTROID_SORT;
+  using vtkTetrahedraSettings::GEOMETRY_SHADER;
   using vtkTetrahedraSettings::IntegrationModes;
   using vtkTetrahedraSettings::LINEAR_SEGMENT;
   using vtkTetrahedraSettings::MPVONC_SORT;
@@ -112,8 +114,10 @@ public:
   using vtkTetrahedraSettings::OPTICAL_DEPTH_BLEND;
   using vtkTetrahedraSettings::PRIORITY_BLEND;
   using vtkTetrahedraSettings::RenderPaths;
+  using vtkTetrahedraSettings::SilhouetteShaders;
   using vtkTetrahedraSettings::SOFTWARE_PATH;
   using vtkTetrahedraSettings::SortModes;
+  using vtkTetrahedraSettings::VERTEX_SHADER;
   ///@}
 
   ///@{
@@ -148,6 +152,15 @@ public:
    */
   vtkSetClampMacro(RenderPath, int, OPENGL_PATH, AUTOMATIC_PATH);
   vtkGetMacro(RenderPath, int);
+  ///@}
+
+  ///@{
+  /**
+   * The shader that makes silhouettes with OPENGL_PATH; pictures are the same but for the rounding
+   * of shaders. Default AUTOMATIC_SHADER. Valid: see SilhouetteShaders; clamped.
+   */
+  vtkSetClampMacro(SilhouetteShader, int, GEOMETRY_SHADER, AUTOMATIC_SHADER);
+  vtkGetMacro(SilhouetteShader, int);
   ///@}
 
   ///@{

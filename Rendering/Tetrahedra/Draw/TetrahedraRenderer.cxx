@@ -220,6 +220,26 @@ void TetrahedraRenderer::ChoosePath(
   }
 }
 
+void TetrahedraRenderer::ChooseShader(
+  const Request& request, vtkOpenGLRenderWindow* window, vtkTetrahedraReport& report)
+{
+  this->Frame.IsPulled = false;
+  if (report.RenderPath != Settings::OPENGL_PATH)
+  {
+    return;
+  }
+  report.SilhouetteShader = request.Settings.SilhouetteShader;
+  report.ShaderReason = "as asked for";
+  if (request.Settings.SilhouetteShader == Settings::AUTOMATIC_SHADER)
+  {
+    const bool isSoftware = vtkSoftwareOpenGL::IsUsed(window);
+    report.SilhouetteShader = isSoftware ? Settings::GEOMETRY_SHADER : Settings::VERTEX_SHADER;
+    report.ShaderReason = isSoftware ? "OpenGL is itself software here"
+                                     : "many graphics cards have slow geometry shaders";
+  }
+  this->Frame.IsPulled = report.SilhouetteShader == Settings::VERTEX_SHADER;
+}
+
 void TetrahedraRenderer::ChooseSort(const Request& request, vtkTetrahedraReport& report)
 {
   report.SortMode = Settings::NO_SORT;
@@ -401,6 +421,7 @@ std::string TetrahedraRenderer::Render(
   }
   this->ChooseBlend(request, report);
   this->ChoosePath(request, window, report);
+  this->ChooseShader(request, window, report);
   const int level = this->ChooseLevel(renderer, volume, request, report);
   error = this->UpdateFrame(renderer, volume, request, report);
   if (!error.empty())

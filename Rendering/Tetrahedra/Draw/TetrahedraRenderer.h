@@ -88,6 +88,8 @@ private:
   void ChooseBlend(const Request& request, vtkTetrahedraReport& report);
   void ChoosePath(
     const Request& request, vtkOpenGLRenderWindow* window, vtkTetrahedraReport& report);
+  void ChooseShader(
+    const Request& request, vtkOpenGLRenderWindow* window, vtkTetrahedraReport& report);
   void ChooseSort(const Request& request, vtkTetrahedraReport& report);
   /// Returns the level of detail, which is 0 for whole pictures.
   int ChooseLevel(

@@ -49,6 +49,9 @@ struct TetrahedraFrame
   /// The extinction of opacity 1, so that MAXIMUM can undo what extinction was made by.
   double ExtinctionUnit = 1.0;
   bool IsExact = true;
+  /// Whether the vertices of silhouettes are pulled, with OpenGL, instead of made by a geometry
+  /// shader.
+  bool IsPulled = false;
   /// The number of pixels of the viewport along an edge of one of the picture.
   int PixelStride = 1;
   /// The number of tetrahedra of which one is drawn, and stands for them.

@@ -5,8 +5,10 @@
 #include "Loader/OpenGLFunctions.h"
 
 #include "InterlumeResolveFS.h"
+#include "InterlumeSilhouette.h"
 #include "InterlumeTetrahedraFS.h"
 #include "InterlumeTetrahedraGS.h"
+#include "InterlumeTetrahedraPullVS.h"
 #include "InterlumeTetrahedraVS.h"
 #include "vtkFloatTarget.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -56,6 +58,21 @@ std::vector<float> MakePoints(const TetrahedraMesh& mesh)
   return values;
 }
 
+/// The tetrahedra whose strips have indices: as many as keep four vertices each within 16 bits.
+constexpr int STRIPS = 1 << 14;
+/// A strip of four vertices as two triangles, the second with the fourth vertex last.
+constexpr std::array<std::uint16_t, 6> STRIP = { { 0, 1, 2, 2, 1, 3 } };
+
+/// Returns a shader with those features that makes silhouettes.
+std::string MakeSilhouetteShader(const char* shader, const std::string& features)
+{
+  static const std::string mark = "//INTERLUME::SILHOUETTE";
+  std::string source = shader;
+  const std::size_t place = source.find(mark);
+  source.replace(place, mark.size(), InterlumeSilhouette);
+  return vtkShaderFeatures::Insert(source, features);
+}
+
 bool IsDepthSum(const TetrahedraFrame& frame)
 {
   return frame.Blend == TetrahedraFrame::OPTICAL_DEPTH || frame.Blend == TetrahedraFrame::PRIORITY;
@@ -101,6 +118,7 @@ std::string OpenGLRasterizer::GetFeatures(const TetrahedraFrame& frame, bool has
     features += frame.Surface->GetImage().empty() ? " SURFACE" : " SURFACE SURFACE_TEXTURE";
   }
   features += frame.TetrahedronStride > 1 ? " TETRAHEDRON_STRIDE" : "";
+  features += frame.Order ? " ORDERED" : "";
   if (frame.Blend == TetrahedraFrame::MAXIMUM)
   {
     features += " MAXIMUM";
@@ -218,22 +236,34 @@ void OpenGLRasterizer::SetSurfaceUniforms(vtkShaderProgram* program, const Tetra
   }
 }
 
-void OpenGLRasterizer::UploadOrder(const TetrahedraFrame& frame, vtkTetrahedraReport& report)
+void OpenGLRasterizer::UploadOrder(
+  vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame, vtkTetrahedraReport& report)
 {
-  if (!this->Order)
-  {
-    glGenBuffers(1, &this->Order);
-  }
   // The order is from back to front, as blending goes; layers too are drawn from the lowest
   // priority up.
   const std::vector<std::uint32_t> order(frame.Order->rbegin(), frame.Order->rend());
-  const std::size_t bytes = order.size() * sizeof(std::uint32_t);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Order);
+  report.UploadedOrderBytes = this->Order.Upload(
+    window, TextureBuffer::UINT, order.data(), order.size() * sizeof(std::uint32_t));
+}
+
+void OpenGLRasterizer::UploadStrips(vtkTetrahedraReport& report)
+{
+  std::vector<std::uint16_t> indices;
+  indices.reserve(STRIPS * STRIP.size());
+  for (int i = 0; i < STRIPS; ++i)
+  {
+    for (const std::uint16_t corner : STRIP)
+    {
+      indices.push_back(static_cast<std::uint16_t>(4 * i + corner));
+    }
+  }
+  const std::size_t bytes = indices.size() * sizeof(std::uint16_t);
+  glGenBuffers(1, &this->Strips);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Strips);
   glBufferData(
-    GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), order.data(), GL_STREAM_DRAW);
+    GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), indices.data(), GL_STATIC_DRAW);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
-  this->OrderSize = order.size();
-  report.UploadedOrderBytes = static_cast<vtkIdType>(bytes);
+  report.UploadedStaticBytes += static_cast<vtkIdType>(bytes);
 }
 
 bool OpenGLRasterizer::PrepareTarget(
@@ -314,11 +344,15 @@ void OpenGLRasterizer::DrawRange(vtkOpenGLRenderWindow* window, const Tetrahedra
   state->vtkglBlendFunc(GL_ONE, isOver ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
   state->vtkglBlendEquation(frame.Blend == TetrahedraFrame::MAXIMUM ? GL_MAX : GL_FUNC_ADD);
   this->Vertices->Bind();
-  if (frame.Order)
+  if (frame.IsPulled)
   {
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Order);
-    const std::uint32_t* begin = nullptr;
-    glDrawElements(GL_POINTS, static_cast<GLsizei>(number), GL_UNSIGNED_INT, begin + first);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Strips);
+    for (std::size_t i = 0; i < number; i += STRIPS)
+    {
+      const std::size_t strips = std::min<std::size_t>(STRIPS, number - i);
+      glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(strips * STRIP.size()),
+        GL_UNSIGNED_SHORT, nullptr, static_cast<GLint>(4 * (first + i)));
+    }
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
   }
   else
@@ -362,7 +396,8 @@ void OpenGLRasterizer::Resolve(vtkOpenGLRenderWindow* window, const TetrahedraFr
 bool OpenGLRasterizer::DrawLayers(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
   const std::string& features, bool hasOpaque)
 {
-  const std::size_t number = frame.Order ? this->OrderSize : frame.Mesh->GetNumberOfTetrahedra();
+  const std::size_t number =
+    frame.Order ? frame.Order->size() : frame.Mesh->GetNumberOfTetrahedra();
   if (frame.Blend != TetrahedraFrame::PRIORITY)
   {
     return number == 0 || this->DrawLayer(window, frame, features, hasOpaque, 0, number);
@@ -396,9 +431,13 @@ bool OpenGLRasterizer::DrawLayers(vtkOpenGLRenderWindow* window, const Tetrahedr
 bool OpenGLRasterizer::DrawLayer(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
   const std::string& features, bool hasOpaque, std::size_t first, std::size_t number)
 {
-  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(InterlumeTetrahedraVS,
-    vtkShaderFeatures::Insert(InterlumeTetrahedraFS, features).c_str(),
-    vtkShaderFeatures::Insert(InterlumeTetrahedraGS, features).c_str());
+  const std::string vertexShader = frame.IsPulled
+    ? MakeSilhouetteShader(InterlumeTetrahedraPullVS, features)
+    : vtkShaderFeatures::Insert(InterlumeTetrahedraVS, features);
+  const std::string geometryShader =
+    frame.IsPulled ? std::string() : MakeSilhouetteShader(InterlumeTetrahedraGS, features);
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(vertexShader.c_str(),
+    vtkShaderFeatures::Insert(InterlumeTetrahedraFS, features).c_str(), geometryShader.c_str());
   if (!program)
   {
     return false;
@@ -412,6 +451,10 @@ bool OpenGLRasterizer::DrawLayer(vtkOpenGLRenderWindow* window, const Tetrahedra
   activate(this->Points, "points");
   activate(this->Corners, "corners");
   activate(this->Volumes, "volumes");
+  if (frame.Order)
+  {
+    activate(this->Order, "order");
+  }
   if (!frame.Fields->DeltaT.empty())
   {
     activate(this->DeltaTs, "deltaTs");
@@ -473,9 +516,17 @@ std::string OpenGLRasterizer::Draw(vtkRenderer* renderer, const TetrahedraFrame&
     this->SurfaceTexture->SetContext(window);
     this->UploadSurface(window, frame, report);
   }
-  if (frame.Order && (changes.Order || !this->Order))
+  if (!frame.Order)
   {
-    this->UploadOrder(frame, report);
+    this->Order.Release(window);
+  }
+  else if (changes.Order || !this->Order.IsAllocated())
+  {
+    this->UploadOrder(window, frame, report);
+  }
+  if (frame.IsPulled && !this->Strips)
+  {
+    this->UploadStrips(report);
   }
   if (hasOpaque)
   {
@@ -533,14 +584,15 @@ void OpenGLRasterizer::ReportBuffers(
   {
     report.BufferBytes += static_cast<vtkIdType>(buffer->GetBytes());
   }
-  report.BufferBytes += static_cast<vtkIdType>(this->OrderSize * sizeof(std::uint32_t));
+  report.BufferBytes +=
+    this->Strips ? static_cast<vtkIdType>(STRIPS * STRIP.size() * sizeof(std::uint16_t)) : 0;
 }
 
-std::array<TextureBuffer*, 11> OpenGLRasterizer::GetBuffers()
+std::array<TextureBuffer*, 12> OpenGLRasterizer::GetBuffers()
 {
   return { &this->Points, &this->Corners, &this->Volumes, &this->Scalars, &this->DeltaTs,
-    &this->Colors, &this->Faces, &this->SurfacePoints, &this->Pieces, &this->Starts,
-    &this->Buckets };
+    &this->Colors, &this->Faces, &this->SurfacePoints, &this->Pieces, &this->Starts, &this->Buckets,
+    &this->Order };
 }
 
 void OpenGLRasterizer::ReleaseGraphicsResources(vtkWindow* window)
@@ -549,12 +601,11 @@ void OpenGLRasterizer::ReleaseGraphicsResources(vtkWindow* window)
   {
     buffer->Release(window);
   }
-  if (this->Order)
+  if (this->Strips)
   {
-    glDeleteBuffers(1, &this->Order);
-    this->Order = 0;
+    glDeleteBuffers(1, &this->Strips);
+    this->Strips = 0;
   }
-  this->OrderSize = 0;
   this->SurfaceTexture->ReleaseGraphicsResources(window);
   this->Sums->ReleaseGraphicsResources(window);
   this->Layers->ReleaseGraphicsResources(window);

@@ -29,9 +29,10 @@ namespace interlume
  * @class   OpenGLRasterizer
  * @brief   draws tetrahedra with OpenGL 3.2
  *
- * Mesh and fields are uploaded once, as texture buffers; a tetrahedron is drawn as one point, by
- * its number, and a geometry shader makes its silhouette. A new view uploads an order at most. Sums
- * are kept in a framebuffer of floats, laid over the scene at the end.
+ * Mesh and fields are uploaded once, as texture buffers. A tetrahedron is drawn as one point of
+ * which a geometry shader makes the silhouette, or as four vertices that each pull it from the
+ * buffers, which suits graphics cards whose geometry shaders are slow. A new view uploads an order
+ * at most. Sums are kept in a framebuffer of floats, laid over the scene at the end.
  */
 class OpenGLRasterizer
 {
@@ -69,7 +70,9 @@ private:
     vtkTetrahedraReport& report);
   void UploadSurface(
     vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame, vtkTetrahedraReport& report);
-  void UploadOrder(const TetrahedraFrame& frame, vtkTetrahedraReport& report);
+  void UploadOrder(
+    vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame, vtkTetrahedraReport& report);
+  void UploadStrips(vtkTetrahedraReport& report);
   bool PrepareTarget(vtkOpenGLRenderWindow* window, int width, int height, bool hasLayers);
   void SetUniforms(vtkShaderProgram* program, const TetrahedraFrame& frame, bool hasOpaque);
   void SetSurfaceUniforms(vtkShaderProgram* program, const TetrahedraFrame& frame);
@@ -84,7 +87,7 @@ private:
   void Resolve(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
     vtkTextureObject* texture, bool isResolved);
   void ReportBuffers(const TetrahedraFrame& frame, bool hasOpaque, vtkTetrahedraReport& report);
-  std::array<TextureBuffer*, 11> GetBuffers();
+  std::array<TextureBuffer*, 12> GetBuffers();
 
   TextureBuffer Points;
   TextureBuffer Corners;
@@ -104,8 +107,9 @@ private:
   vtkNew<vtkTextureObject> Depth;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkOpenGLVertexArrayObject> Vertices;
-  unsigned int Order = 0;
-  std::size_t OrderSize = 0;
+  TextureBuffer Order;
+  /// The indices of two triangles for each of STRIPS tetrahedra, where their vertices are pulled.
+  unsigned int Strips = 0;
   vtkImageQuad Quad;
   vtkImageQuad ResolveQuad;
 };

@@ -24,8 +24,8 @@ TextureBuffer::~TextureBuffer()
 vtkIdType TextureBuffer::Upload(
   vtkOpenGLRenderWindow* window, Formats format, const void* data, std::size_t bytes)
 {
-  static const int types[] = { VTK_FLOAT, VTK_FLOAT, VTK_INT, VTK_UNSIGNED_INT };
-  static const int components[] = { 1, 4, 1, 4 };
+  static const int types[] = { VTK_FLOAT, VTK_FLOAT, VTK_INT, VTK_UNSIGNED_INT, VTK_UNSIGNED_INT };
+  static const int components[] = { 1, 4, 1, 1, 4 };
   // A buffer of no bytes cannot be sampled.
   static const char nothing[16] = {};
   this->Bytes = bytes ? bytes : sizeof(nothing);

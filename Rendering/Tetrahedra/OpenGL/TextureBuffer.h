@@ -28,6 +28,7 @@ public:
     FLOAT,
     FLOAT4,
     INT,
+    UINT,
     UINT4
   };
 
