@@ -67,13 +67,14 @@ vtkSmartPointer<vtkDataArray> MakeArray(const Case& volume)
 
 /// Whether a band meets the values of a component in blocks' boxes, widened by a column if \a wide.
 bool MeetsBand(
-  vtkDataArray* array, const Case& volume, const Place& block, int component, bool wide)
+  vtkDataArray* array, const Case& volume, const Place& block, int edge, int component, bool wide)
 {
   const Size& size = volume.Samples;
   double lower = std::numeric_limits<double>::infinity();
   double upper = -lower;
-  const auto first = [&](int axis) { return std::max(16 * block[axis] - 1, 0); };
-  const auto last = [&](int axis) { return std::min(16 * block[axis] + 17, size[axis] - 1); };
+  const auto first = [&](int axis) { return std::max(edge * block[axis] - 1, 0); };
+  const auto last = [&](int axis)
+  { return std::min(edge * (block[axis] + 1) + 1, size[axis] - 1); };
   for (int k = first(2); k <= last(2); ++k)
   {
     for (int j = first(1); j <= last(1); ++j)
@@ -116,9 +117,10 @@ vtkNew<vtkVolumeProperty> MakeProperty(const Case& volume)
   return property;
 }
 
-void CheckCase(const Case& volume, Check& check)
+/// Of blocks of so many cells along an edge.
+void CheckBlocks(const Case& volume, int edge, Check& check)
 {
-  check.SetContext(volume.Name);
+  check.SetContext(volume.Name + ", blocks of " + std::to_string(edge));
   const auto array = MakeArray(volume);
   const auto property = MakeProperty(volume);
   interlume::VolumeSamples samples;
@@ -126,7 +128,7 @@ void CheckCase(const Case& volume, Check& check)
   interlume::MaterialTable material;
   check.That(material.Build(property, samples, nullptr).empty(), "materials");
   interlume::VolumeBlocks blocks;
-  blocks.Build(samples);
+  blocks.Build(samples, edge);
   check.Equal(blocks.GetNumberVisible(), 0, "none before they are classified");
   blocks.Classify(material);
 
@@ -134,7 +136,7 @@ void CheckCase(const Case& volume, Check& check)
   for (int axis = 0; axis < 3; ++axis)
   {
     const int cells = std::max(volume.Samples[axis] - 1, 1);
-    const int expected = (cells + 15) / 16;
+    const int expected = (cells + edge - 1) / edge;
     check.Equal(blocks.GetSize()[axis], expected, "blocks");
     count *= expected;
   }
@@ -161,8 +163,8 @@ void CheckCase(const Case& volume, Check& check)
     bool may = false;
     for (const int c : seen)
     {
-      must = must || MeetsBand(array, volume, block, c, false);
-      may = may || MeetsBand(array, volume, block, c, true);
+      must = must || MeetsBand(array, volume, block, edge, c, false);
+      may = may || MeetsBand(array, volume, block, edge, c, true);
     }
     const bool found = blocks.IsVisible(block[0], block[1], block[2]);
     const std::string name =
@@ -172,6 +174,12 @@ void CheckCase(const Case& volume, Check& check)
     visible += found ? 1 : 0;
   }
   check.Equal(blocks.GetNumberVisible(), visible, "visible blocks");
+}
+
+void CheckCase(const Case& volume, Check& check)
+{
+  CheckBlocks(volume, interlume::VolumeBlocks::BlockSize, check);
+  CheckBlocks(volume, interlume::VolumeBlocks::SmallSize, check);
 }
 
 /// 0 with a few samples in the band.

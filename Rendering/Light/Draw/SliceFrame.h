@@ -30,6 +30,8 @@ struct SliceFrame
 {
   VolumeSamples Samples;
   VolumeBlocks Blocks;
+  /// Where OpenGL is software, for tiles; else there are none.
+  VolumeBlocks SmallBlocks;
   MaterialTable Material;
   UnitSpace Space;
   SlicePlan::Eye Eye;
@@ -96,6 +98,9 @@ struct SliceFrame
   {
     return this->HasColoredLight || !this->Material.Transmission.empty() ? 3 : 1;
   }
+  /// Returns whether slices are drawn in tiles where the view lets them: a graphics card has no use
+  /// for them, and what is a function has no small blocks.
+  bool HasTiles() const { return this->SmallBlocks.GetNumberOfBlocks() > 0 && !this->Matter; }
   /// Returns whether lights change the colour at all.
   bool IsLit() const { return this->IsShaded || this->HasShadows() || this->Scattering.IsOn(); }
 };

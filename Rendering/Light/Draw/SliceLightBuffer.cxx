@@ -135,13 +135,21 @@ std::string SliceLightBuffer::PrepareVolume(vtkOpenGLRenderWindow* window,
   }
   if (this->IsWide)
   {
-    own.Tiles.Build(sweep, light, frame.Lights[light.Light].Position, frame.Blocks, frame.Space,
+    own.WideTiles.Build(sweep, light, frame.Lights[light.Light].Position, frame.Blocks, frame.Space,
       frame.Region.Box);
-    own.TileVertices->Upload(own.Tiles.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
+  }
+  own.HasTiles = !this->IsWide && frame.HasTiles() &&
+    own.Tiles.Build(sweep, light.BufferFromUnit, { { this->Size, this->Size } }, frame.SmallBlocks,
+      frame.Space, frame.Region.Box, SlicePart::GetMargin(sweep));
+  const std::vector<float>& drawn = this->GetDrawn(own, part.GetPolygons()).GetVertices();
+  const bool isTiled = (this->IsWide || own.HasTiles) && !drawn.empty();
+  if (isTiled)
+  {
+    own.TileVertices->Upload(drawn, vtkOpenGLBufferObject::ArrayBuffer);
   }
   const std::string source = SliceShader::GetLightSource(frame, light);
   std::string error =
-    own.Slices.Prepare(window, source, this->IsWide ? own.TileVertices.Get() : part.GetVertices());
+    own.Slices.Prepare(window, source, isTiled ? own.TileVertices.Get() : part.GetVertices());
   if (!error.empty())
   {
     return error;
@@ -260,16 +268,24 @@ bool SliceLightBuffer::KeepLayer(int slab, bool isEmpty, std::size_t volume)
   return isChanged;
 }
 
+const SlabTriangles& SliceLightBuffer::GetDrawn(
+  const Volume& volume, const SlicePolygons& polygons) const
+{
+  const SlabTriangles& planes =
+    volume.HasTiles ? static_cast<const SlabTriangles&>(volume.Tiles) : polygons;
+  return this->IsWide ? volume.WideTiles : planes;
+}
+
 int SliceLightBuffer::Draw(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
   const SlicePolygons& polygons, int slab, std::size_t volume)
 {
   Volume& own = *this->Volumes[volume];
-  const std::vector<std::size_t>& starts =
-    this->IsWide ? own.Tiles.GetStarts() : polygons.GetStarts();
-  if (starts[slab] == starts[slab + 1])
+  const SlabTriangles& drawn = this->GetDrawn(own, polygons);
+  if (drawn.IsEmpty(slab))
   {
     return 0;
   }
+  const std::vector<std::size_t>& starts = drawn.GetStarts();
   vtkOpenGLState* state = window->GetState();
   this->Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
   state->vtkglViewport(0, 0, this->Size, this->Size);

@@ -7,6 +7,7 @@
 #include "Draw/SlicePass.h"
 #include "Draw/SliceSampleLayers.h"
 #include "Plan/LightTiles.h"
+#include "Plan/PlaneTiles.h"
 #include "Plan/SlicePlan.h"
 
 #include "vtkNew.h"
@@ -112,8 +113,10 @@ private:
   struct Volume
   {
     SlicePass Slices;
-    /// Of a wide light, instead of the slices' triangles.
-    LightTiles Tiles;
+    /// Of a wide light, or of another one, instead of the slices' triangles.
+    LightTiles WideTiles;
+    PlaneTiles Tiles;
+    bool HasTiles = false;
     vtkNew<vtkOpenGLBufferObject> TileVertices;
     /// The older and the newer layer.
     std::array<vtkSmartPointer<vtkTextureObject>, 2> Layers;
@@ -126,6 +129,8 @@ private:
     const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
     const std::vector<const SlicePolygons*>& polygons);
   void CopyTo(vtkTextureObject* layer);
+  /// Returns what is drawn of a volume whose slices have these triangles.
+  const SlabTriangles& GetDrawn(const Volume& volume, const SlicePolygons& polygons) const;
   static void Release(Volume& volume, vtkWindow* window);
 
   int Light;

@@ -34,16 +34,40 @@ void SlicePart::Set(const SliceFrame& frame, SliceTextures& textures)
   this->Textures = &textures;
 }
 
+double SlicePart::GetMargin(const SlicePlan::Sweep& sweep)
+{
+  return 0.5 * sweep.Spacing / LEAST_COSINE;
+}
+
 vtkIdType SlicePart::Cut(const SlicePlan::Sweep& sweep)
 {
-  this->Polygons.Build(sweep, this->Frame->Blocks, this->Frame->Space, this->Frame->Region.Box,
-    0.5 * sweep.Spacing / LEAST_COSINE);
+  const SliceFrame& frame = *this->Frame;
+  this->Polygons.Build(sweep, frame.Blocks, frame.Space, frame.Region.Box, GetMargin(sweep));
   const std::vector<float>& vertices = this->Polygons.GetVertices();
-  if (!vertices.empty())
+  this->HasTiles = false;
+  if (vertices.empty())
   {
-    this->Vertices->Upload(vertices, vtkOpenGLBufferObject::ArrayBuffer);
+    return 0;
   }
-  return static_cast<vtkIdType>(sizeof(float)) * static_cast<vtkIdType>(vertices.size());
+  this->Vertices->Upload(vertices, vtkOpenGLBufferObject::ArrayBuffer);
+  std::size_t coordinates = vertices.size();
+  if (frame.HasTiles() && !frame.IsCutByNearPlane &&
+    this->Tiles.Build(sweep, frame.Eye.ClipFromUnit, frame.Size, frame.SmallBlocks, frame.Space,
+      frame.Region.Box, GetMargin(sweep)))
+  {
+    this->HasTiles = true;
+    coordinates += this->Tiles.GetVertices().size();
+    if (!this->Tiles.GetVertices().empty())
+    {
+      this->TileVertices->Upload(this->Tiles.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
+    }
+  }
+  return static_cast<vtkIdType>(sizeof(float)) * static_cast<vtkIdType>(coordinates);
+}
+
+const SlabTriangles& SlicePart::GetSeen() const
+{
+  return this->HasTiles ? static_cast<const SlabTriangles&>(this->Tiles) : this->Polygons;
 }
 
 std::string SlicePart::Prepare(vtkOpenGLRenderWindow* window, std::size_t sweep, bool isOccluded,
@@ -60,10 +84,12 @@ std::string SlicePart::Prepare(vtkOpenGLRenderWindow* window, std::size_t sweep,
   this->IsSplit = this->IsThick || isProbed;
   this->IsThin = !isProbed && SliceShader::HasThinPart(*this->Frame, sweep);
   this->IsMarked = isMarked;
+  const bool hasTileVertices = this->HasTiles && !this->Tiles.GetVertices().empty();
   const auto prepare = [&](SlicePass& pass, SliceShader::Parts part)
   {
     const std::string source = SliceShader::GetEyeSource(*this->Frame, sweep, isOccluded, part);
-    std::string error = pass.Prepare(window, source, this->Vertices, isMarked);
+    std::string error =
+      pass.Prepare(window, source, hasTileVertices ? this->TileVertices : this->Vertices, isMarked);
     if (error.empty())
     {
       activate(pass.GetProgram());
@@ -110,7 +136,7 @@ void SlicePart::Draw(
   {
     glEnable(GL_DEPTH_CLAMP);
   }
-  const std::vector<std::size_t>& starts = this->Polygons.GetStarts();
+  const std::vector<std::size_t>& starts = this->GetSeen().GetStarts();
   const double entrance = sweep.First + slab * sweep.Spacing;
   if (this->IsSplit)
   {
@@ -164,6 +190,7 @@ void SlicePart::ReleaseGraphicsResources()
   this->Eye.ReleaseGraphicsResources();
   this->SecondEye.ReleaseGraphicsResources();
   this->Vertices->ReleaseGraphicsResources();
+  this->TileVertices->ReleaseGraphicsResources();
 }
 
 }

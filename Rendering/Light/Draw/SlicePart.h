@@ -3,6 +3,7 @@
 #define interlume_SlicePart_h
 
 #include "Draw/SlicePass.h"
+#include "Plan/PlaneTiles.h"
 #include "Plan/SlicePlan.h"
 #include "Plan/SlicePolygons.h"
 
@@ -43,10 +44,16 @@ public:
   const SliceFrame& GetFrame() const { return *this->Frame; }
   SliceTextures& GetTextures() { return *this->Textures; }
 
+  /// Returns the length by which blocks at the edge of the volume are enlarged, so that rays of eye
+  /// and light that enter a slab beside the box's own cut meet them.
+  static double GetMargin(const SlicePlan::Sweep& sweep);
+
   /// Cuts the slices of a sweep, and sends their triangles. Returns the bytes of these.
   vtkIdType Cut(const SlicePlan::Sweep& sweep);
   bool IsEmpty(int slab) const { return this->Polygons.IsEmpty(slab); }
   bool IsEmpty() const { return this->Polygons.GetVertices().empty(); }
+  /// Returns whether the eye sees nothing of a slab, though a light may.
+  bool IsOutOfView(int slab) const { return this->GetSeen().IsEmpty(slab); }
   const SlicePolygons& GetPolygons() const { return this->Polygons; }
   vtkOpenGLBufferObject* GetVertices() { return this->Vertices; }
 
@@ -77,9 +84,16 @@ public:
   void ReleaseGraphicsResources();
 
 private:
+  /// Returns what the eye's programs draw.
+  const SlabTriangles& GetSeen() const;
+
   const SliceFrame* Frame = nullptr;
   SliceTextures* Textures = nullptr;
   SlicePolygons Polygons;
+  /// What the eye sees of them, instead of them.
+  PlaneTiles Tiles;
+  bool HasTiles = false;
+  vtkNew<vtkOpenGLBufferObject> TileVertices;
   vtkNew<vtkOpenGLBufferObject> Vertices;
   /// All matter, or all that is thin, or none, where the thick or all matter has a second program.
   SlicePass Eye;

@@ -473,10 +473,13 @@ void SliceRasterizer::DrawSlab(vtkOpenGLRenderWindow* window, const SliceFrame& 
       continue;
     }
     this->BindPart(window, volume);
-    this->ImageFramebuffer->Bind(GL_DRAW_FRAMEBUFFER);
-    window->GetState()->vtkglViewport(0, 0, frame.Size[0], frame.Size[1]);
-    part.Draw(window, sweep, slab, number, static_cast<int>(this->Parts.size()));
-    ++report.EyePasses;
+    if (!part.IsOutOfView(slab))
+    {
+      this->ImageFramebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+      window->GetState()->vtkglViewport(0, 0, frame.Size[0], frame.Size[1]);
+      part.Draw(window, sweep, slab, number, static_cast<int>(this->Parts.size()));
+      ++report.EyePasses;
+    }
     for (const SlicePlan::ShadowedLight& light : sweep.Lights)
     {
       report.LightPasses +=

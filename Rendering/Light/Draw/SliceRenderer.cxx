@@ -121,6 +121,11 @@ std::string SliceRenderer::UpdateSamples(const Request& request, bool isSoftware
   if (error.empty())
   {
     this->Frame.Blocks.Build(this->Frame.Samples);
+    this->Frame.SmallBlocks = VolumeBlocks();
+    if (isSoftware)
+    {
+      this->Frame.SmallBlocks.Build(this->Frame.Samples, VolumeBlocks::SmallSize);
+    }
     this->Scalars = request.Scalars;
     this->SamplesTime = time;
     this->IsWidened = isSoftware;
@@ -151,6 +156,7 @@ std::string SliceRenderer::UpdateMaterial(vtkVolume* volume, const Request& requ
   if (error.empty())
   {
     this->Frame.Blocks.Classify(this->Frame.Material);
+    this->Frame.SmallBlocks.Classify(this->Frame.Material);
     this->Frame.ShareOfMatter =
       MatterShare::Find(this->Frame.Samples, this->Frame.Blocks, this->Frame.Material);
     this->MaterialOwner = property;

@@ -229,13 +229,7 @@ void LightTiles::Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedL
         }
       }
     });
-  this->Vertices.clear();
-  this->Starts.assign(1, 0);
-  for (const std::vector<float>& part : parts)
-  {
-    this->Vertices.insert(this->Vertices.end(), part.begin(), part.end());
-    this->Starts.push_back(this->Vertices.size() / 3);
-  }
+  this->Join(parts);
 }
 
 }

@@ -3,10 +3,10 @@
 #define interlume_LightTiles_h
 
 #include "Common/Vectors.h"
+#include "Plan/SlabTriangles.h"
 #include "Plan/SlicePlan.h"
 
 #include <array>
-#include <cstddef>
 #include <vector>
 
 namespace interlume
@@ -22,9 +22,10 @@ class VolumeBlocks;
  * The light's buffer is cut into squares of about TileSize texels along an edge, whose directions
  * form a pyramid. A slab's tiles are those of which the pyramid's part in the slab has a bounding
  * box, in texture coordinates, that meets a visible block inside the box of the matter. Neighbours
- * in a row are one rectangle. No texel is in two.
+ * in a row are one rectangle. No texel is in two. Corners are x, y, 0, from 0 to 1 across the
+ * buffer.
  */
-class LightTiles
+class LightTiles : public SlabTriangles
 {
 public:
   static constexpr int TileSize = 16;
@@ -47,15 +48,6 @@ public:
     const glm::dvec3& position, const std::array<std::vector<double>, 3>& borders,
     const std::vector<unsigned char>& visible, const UnitSpace& space,
     const std::array<std::array<double, 2>, 3>& box);
-
-  /// Returns the corners x, y, 0 of triangles, 0 to 1 across the buffer, slab after slab.
-  const std::vector<float>& GetVertices() const { return this->Vertices; }
-  /// Returns the first vertex of each slab, and their number.
-  const std::vector<std::size_t>& GetStarts() const { return this->Starts; }
-
-private:
-  std::vector<float> Vertices;
-  std::vector<std::size_t> Starts = { 0 };
 };
 
 }

@@ -164,15 +164,8 @@ void SlicePolygons::Build(const SlicePlan::Sweep& sweep,
   const std::array<std::vector<double>, 3>& borders, const std::vector<unsigned char>& visible,
   const UnitSpace& space, const std::array<std::array<double, 2>, 3>& box, double margin)
 {
-  // The margins by which borders move in texture coordinates to move by the margin across their
-  // faces.
-  std::array<double, 3> margins;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    margins[axis] = margin * Vectors::SafeLength(UnitVector::GetRow(space.TextureFromUnit, axis));
-  }
   BlockLattice lattice(borders, visible);
-  lattice.Crop(box, margins);
+  lattice.Crop(box, space.GetMargins(margin));
   lattice.Join();
 
   const Cutter cutter(lattice, space, sweep.Normal);
@@ -191,23 +184,7 @@ void SlicePolygons::Build(const SlicePlan::Sweep& sweep,
         }
       }
     });
-
-  this->Starts.assign(1, 0);
-  for (const std::vector<float>& part : parts)
-  {
-    this->Starts.push_back(this->Starts.back() + part.size() / 3);
-  }
-  this->Vertices.resize(3 * this->Starts.back());
-  vtkSMPTools::For(0, sweep.Slabs,
-    [&](vtkIdType first, vtkIdType end)
-    {
-      for (vtkIdType slab = first; slab < end; ++slab)
-      {
-        const auto index = static_cast<std::size_t>(slab);
-        std::copy(parts[index].begin(), parts[index].end(),
-          this->Vertices.begin() + static_cast<std::ptrdiff_t>(3 * this->Starts[index]));
-      }
-    });
+  this->Join(parts);
 }
 
 }

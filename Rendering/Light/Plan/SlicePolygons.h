@@ -2,10 +2,10 @@
 #ifndef interlume_SlicePolygons_h
 #define interlume_SlicePolygons_h
 
+#include "Plan/SlabTriangles.h"
 #include "Plan/SlicePlan.h"
 
 #include <array>
-#include <cstddef>
 #include <vector>
 
 namespace interlume
@@ -25,7 +25,7 @@ class VolumeBlocks;
  * a ray can enter the slab beside the box's own cut; the shader cuts the ray at the box. Layers of
  * blocks that are visible in the same places are cut as one.
  */
-class SlicePolygons
+class SlicePolygons : public SlabTriangles
 {
 public:
   /**
@@ -44,21 +44,6 @@ public:
   void Build(const SlicePlan::Sweep& sweep, const std::array<std::vector<double>, 3>& borders,
     const std::vector<unsigned char>& visible, const UnitSpace& space,
     const std::array<std::array<double, 2>, 3>& box, double margin);
-
-  /// Returns the coordinates x, y, z of the triangles' corners, slab after slab.
-  const std::vector<float>& GetVertices() const { return this->Vertices; }
-  /// Returns the first vertex of each slab; one more than slabs.
-  const std::vector<std::size_t>& GetStarts() const { return this->Starts; }
-  int GetNumberOfSlabs() const { return static_cast<int>(this->Starts.size()) - 1; }
-  bool IsEmpty(int slab) const
-  {
-    return this->Starts[static_cast<std::size_t>(slab)] ==
-      this->Starts[static_cast<std::size_t>(slab) + 1];
-  }
-
-private:
-  std::vector<float> Vertices;
-  std::vector<std::size_t> Starts = { 0 };
 };
 
 }

@@ -155,6 +155,17 @@ void UnitSpace::MoveTo(const glm::dvec3& center, double radius)
   this->Radius = radius;
 }
 
+std::array<double, 3> UnitSpace::GetMargins(double margin) const
+{
+  std::array<double, 3> margins;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    margins[static_cast<std::size_t>(axis)] =
+      margin * Vectors::SafeLength(UnitVector::GetRow(this->TextureFromUnit, axis));
+  }
+  return margins;
+}
+
 glm::dvec3 UnitSpace::ToUnit(const double world[3]) const
 {
   return (glm::make_vec3(world) - this->Center) / this->Radius;

@@ -38,6 +38,10 @@ public:
   /// \a radius x_unit.
   void MoveTo(const glm::dvec3& center, double radius);
 
+  /// Returns how far borders along each axis move in texture coordinates to move by \a margin
+  /// across their faces.
+  std::array<double, 3> GetMargins(double margin) const;
+
   glm::dvec3 ToUnit(const double world[3]) const;
   glm::dmat4 GetWorldFromUnit() const;
   glm::dmat4 GetUnitFromWorld() const;

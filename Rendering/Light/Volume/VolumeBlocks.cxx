@@ -70,14 +70,15 @@ void FindRanges(const VolumeSamples& samples, const Box& box, std::array<double,
 }
 }
 
-void VolumeBlocks::Build(const VolumeSamples& samples)
+void VolumeBlocks::Build(const VolumeSamples& samples, int cells)
 {
+  this->Cells = cells;
   this->Samples = samples.Size;
   this->Components = samples.Components;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const int cells = std::max(samples.Size[axis] - 1, 1);
-    this->Size[axis] = samples.Components > 0 ? (cells + BlockSize - 1) / BlockSize : 0;
+    const int all = std::max(samples.Size[axis] - 1, 1);
+    this->Size[axis] = samples.Components > 0 ? (all + cells - 1) / cells : 0;
   }
   const int blocks = this->GetNumberOfBlocks();
   this->Ranges.assign(
@@ -95,9 +96,9 @@ void VolumeBlocks::Build(const VolumeSamples& samples)
         Box box{};
         for (int axis = 0; axis < 3; ++axis)
         {
-          const int first = static_cast<int>(place[axis]) * BlockSize;
+          const int first = static_cast<int>(place[axis]) * cells;
           box.First[axis] = std::max(first - 1, 0);
-          box.Last[axis] = std::min(first + BlockSize + 1, this->Samples[axis] - 1);
+          box.Last[axis] = std::min(first + cells + 1, this->Samples[axis] - 1);
         }
         std::array<double, 2>* ranges =
           &this
@@ -146,7 +147,7 @@ std::vector<double> VolumeBlocks::GetBorders(int axis) const
   std::vector<double> borders;
   for (int block = 0; block <= this->Size[axis]; ++block)
   {
-    borders.push_back((std::min(block * BlockSize, samples - 1) + 0.5) / samples);
+    borders.push_back((std::min(block * this->Cells, samples - 1) + 0.5) / samples);
   }
   return borders;
 }

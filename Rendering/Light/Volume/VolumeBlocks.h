@@ -15,18 +15,19 @@ class VolumeSamples;
  * @class   VolumeBlocks
  * @brief   the ranges of values of small blocks of a volume, and which of them can be seen
  *
- * The box of the samples' centres is cut into blocks of BlockSize cells along each axis, the last
- * ones smaller. A block's range is that of all samples that interpolation inside it reads, and of a
+ * The box of the samples' centres is cut into blocks of equal cells along each axis, the last ones
+ * smaller. A block's range is that of all samples that interpolation inside it reads, and of a
  * further one on each side for gradients.
  */
 class VolumeBlocks
 {
 public:
-  /// The number of cells of a block along an axis.
+  /// The number of cells of a block along an axis, and of a small one.
   static constexpr int BlockSize = 16;
+  static constexpr int SmallSize = 8;
 
-  /// Finds the ranges, with several threads.
-  void Build(const VolumeSamples& samples);
+  /// Finds the ranges of blocks of \a cells along each axis, with several threads.
+  void Build(const VolumeSamples& samples, int cells = BlockSize);
 
   /// Marks the blocks whose range has an extinction above 0 somewhere.
   void Classify(const MaterialTable& material);
@@ -45,6 +46,7 @@ public:
   std::vector<double> GetBorders(int axis) const;
 
 private:
+  int Cells = BlockSize;
   std::array<int, 3> Size{ { 0, 0, 0 } };
   std::array<int, 3> Samples{ { 0, 0, 0 } };
   int Components = 0;

@@ -1,0 +1,409 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Plan/PlaneTiles.h"
+
+#include "Plan/BoxCutTable.h"
+#include "Space/UnitSpace.h"
+#include "Space/UnitVector.h"
+#include "Volume/BlockLattice.h"
+#include "Volume/VolumeBlocks.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace interlume
+{
+
+namespace
+{
+
+using namespace UnitVector;
+
+using Block = std::array<int, 3>;
+
+// Tiles from the first to before the end, along an axis.
+using Range = std::array<int, 2>;
+
+// The part of a tile by which bounds are enlarged, against rounding.
+constexpr double Rounding = 1e-3;
+
+// The least cosine of a line of sight with the slices' normal: corners of tiles would be too far
+// away for single precision.
+constexpr double LeastCosine = 0.1;
+
+// The slabs whose tiles are found at a time.
+constexpr int Batch = 16;
+
+// Which tiles of a slab there are: a bit for each.
+class TileMask
+{
+public:
+  explicit TileMask(const std::array<int, 2>& number)
+    : Number(number)
+    , Words((number[0] + 63) / 64)
+    , Bits(static_cast<std::size_t>(this->Words * number[1]), 0)
+  {
+  }
+
+  void Clear() { std::fill(this->Bits.begin(), this->Bits.end(), 0); }
+
+  void Add(const Range& columns, int row)
+  {
+    for (int word = columns[0] / 64; 64 * word < columns[1]; ++word)
+    {
+      const int first = std::max(columns[0] - 64 * word, 0);
+      const int last = std::min(columns[1] - 64 * word, 64) - 1;
+      this->Bits[this->GetIndex(word, row)] |=
+        (~std::uint64_t(0) << first) & (~std::uint64_t(0) >> (63 - last));
+    }
+  }
+
+  // Returns the first run of tiles in a row from a column on: empty at the end of the row.
+  Range FindRun(int column, int row) const
+  {
+    const int first = this->Find(column, row, true);
+    return { { first, this->Find(first, row, false) } };
+  }
+
+  int GetNumberOfRows() const { return this->Number[1]; }
+
+private:
+  std::size_t GetIndex(int word, int row) const
+  {
+    return static_cast<std::size_t>(row * this->Words + word);
+  }
+
+  // Returns the first column from one on that has a tile, or has none; else the row's end.
+  int Find(int column, int row, bool hasTile) const
+  {
+    while (column < this->Number[0])
+    {
+      const std::uint64_t word = this->Bits[this->GetIndex(column / 64, row)];
+      const std::uint64_t left = (hasTile ? word : ~word) >> (column % 64);
+      if ((left & 1u) != 0)
+      {
+        return column;
+      }
+      column = left == 0 ? (column / 64 + 1) * 64 : column + 1;
+    }
+    return this->Number[0];
+  }
+
+  std::array<int, 2> Number;
+  int Words;
+  std::vector<std::uint64_t> Bits;
+};
+
+struct Rectangle
+{
+  Range Columns;
+  Range Rows;
+};
+
+// Returns the mask's tiles as rectangles: runs of a row, and those below each other that are alike.
+std::vector<Rectangle> MakeRectangles(const TileMask& mask)
+{
+  std::vector<Rectangle> rectangles;
+  std::vector<std::size_t> above;
+  std::vector<std::size_t> here;
+  for (int row = 0; row < mask.GetNumberOfRows(); ++row)
+  {
+    here.clear();
+    std::size_t next = 0;
+    for (Range run = mask.FindRun(0, row); run[0] < run[1]; run = mask.FindRun(run[1], row))
+    {
+      while (next < above.size() && rectangles[above[next]].Columns[0] < run[0])
+      {
+        ++next;
+      }
+      if (next < above.size() && rectangles[above[next]].Columns == run)
+      {
+        here.push_back(above[next]);
+        rectangles[above[next]].Rows[1] = row + 1;
+      }
+      else
+      {
+        here.push_back(rectangles.size());
+        rectangles.push_back({ run, { { row, row + 1 } } });
+      }
+    }
+    above.swap(here);
+  }
+  return rectangles;
+}
+
+// Planes of slabs in a lattice of blocks, as a view sees them.
+class Viewer
+{
+public:
+  Viewer(const BlockLattice& lattice, const UnitSpace& space, const SlicePlan::Sweep& sweep,
+    const glm::dmat4& clipFromUnit, const std::array<int, 2>& size)
+    : IsParallel(GetRow(clipFromUnit, 3) == glm::dvec3(0.0))
+  {
+    const glm::dvec4 depth = glm::row(clipFromUnit, 3);
+    std::array<glm::dvec4, 2> rows;
+    for (std::size_t axis = 0; axis < 2; ++axis)
+    {
+      this->Number[axis] = (size[axis] + PlaneTiles::TileSize - 1) / PlaneTiles::TileSize;
+      rows[axis] = 0.5 * size[axis] / PlaneTiles::TileSize *
+        (glm::row(clipFromUnit, static_cast<int>(axis)) + depth);
+    }
+    const glm::dvec4 height(sweep.Normal / sweep.Spacing, -sweep.First / sweep.Spacing - 0.5);
+    this->TilesFromUnit = glm::transpose(glm::dmat4(rows[0], rows[1], depth, height));
+    const glm::dmat4 map = this->TilesFromUnit * space.UnitFromTexture;
+    this->Origin = map[3];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      for (const double border : lattice.GetBorders(axis))
+      {
+        this->Borders[axis].push_back(border * map[static_cast<int>(axis)]);
+      }
+    }
+  }
+
+  const std::array<int, 2>& GetNumber() const { return this->Number; }
+
+  // Returns whether all of the lattice is before the eye, and no line of sight that meets it runs
+  // along the slices.
+  bool IsSuitable() const
+  {
+    std::array<glm::dvec2, 8> places;
+    for (unsigned corner = 0; corner < 8; ++corner)
+    {
+      glm::dvec4 place = this->Origin;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        place +=
+          (corner >> axis & 1u) != 0 ? this->Borders[axis].back() : this->Borders[axis].front();
+      }
+      if (!(place.z > 0.0))
+      {
+        return false;
+      }
+      places[corner] = glm::dvec2(place) / place.z;
+    }
+    std::array<Range, 2> ranges;
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const auto [least, most] = std::minmax_element(places.begin(), places.end(),
+        [axis](const glm::dvec2& a, const glm::dvec2& b) { return a[axis] < b[axis]; });
+      ranges[static_cast<std::size_t>(axis)] = this->GetRange((*least)[axis], (*most)[axis], axis);
+    }
+    // Lines of sight change evenly from tile to tile, so that corners bound all others.
+    const glm::dvec3 normal(glm::row(this->TilesFromUnit, 3));
+    double side = 0.0;
+    for (unsigned corner = 0; corner < 4; ++corner)
+    {
+      const glm::dvec3 ray = this->GetRay(ranges[0][corner & 1u], ranges[1][corner >> 1u]);
+      const double along = glm::dot(ray, normal);
+      side = corner == 0 ? along : side;
+      if (!(along * side > 0.0 &&
+            std::abs(along) > LeastCosine * glm::length(ray) * glm::length(normal)))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // Adds what a block has in slabs from the first one on to their masks.
+  void Add(const Block& block, int firstSlab, int slabs, std::vector<TileMask>& masks) const
+  {
+    std::array<glm::dvec4, 8> corners;
+    double lowest = VTK_DOUBLE_MAX;
+    double highest = -VTK_DOUBLE_MAX;
+    for (unsigned corner = 0; corner < 8; ++corner)
+    {
+      glm::dvec4 place = this->Origin;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        place += this->Borders[axis][static_cast<std::size_t>(block[axis]) + (corner >> axis & 1u)];
+      }
+      corners[corner] = place;
+      lowest = std::min(lowest, place.w);
+      highest = std::max(highest, place.w);
+    }
+    if (lowest < firstSlab + slabs && highest > firstSlab - 1)
+    {
+      const int last = std::min(static_cast<int>(std::floor(highest)), firstSlab + slabs - 1);
+      for (int slab = std::max(static_cast<int>(std::ceil(lowest)), firstSlab); slab <= last;
+           ++slab)
+      {
+        this->AddCut(corners, slab, masks[static_cast<std::size_t>(slab - firstSlab)]);
+      }
+    }
+  }
+
+  // Returns where the line of sight through a tile's corner meets a slab's plane.
+  std::array<float, 3> GetPlace(int column, int row, int slab) const
+  {
+    const glm::dvec4 depth = glm::row(this->TilesFromUnit, 2);
+    const glm::dvec4 a = glm::row(this->TilesFromUnit, 0) - static_cast<double>(column) * depth;
+    const glm::dvec4 b = glm::row(this->TilesFromUnit, 1) - static_cast<double>(row) * depth;
+    const glm::dvec4 c = glm::row(this->TilesFromUnit, 3) - glm::dvec4(0.0, 0.0, 0.0, slab);
+    const glm::dvec3 ray = this->GetRay(column, row);
+    const glm::dvec3 place = -(a.w * glm::cross(glm::dvec3(b), glm::dvec3(c)) +
+                               b.w * glm::cross(glm::dvec3(c), glm::dvec3(a)) + c.w * ray) /
+      glm::dot(ray, glm::dvec3(c));
+    return { { static_cast<float>(place.x), static_cast<float>(place.y),
+      static_cast<float>(place.z) } };
+  }
+
+private:
+  // Returns the tiles of an axis that meet a range in tiles.
+  Range GetRange(double lower, double upper, int axis) const
+  {
+    const double most = this->Number[static_cast<std::size_t>(axis)];
+    return { { static_cast<int>(std::floor(std::max(std::min(lower - Rounding, most), 0.0))),
+      static_cast<int>(std::ceil(std::max(std::min(upper + Rounding, most), 0.0))) } };
+  }
+
+  // Returns the direction of the line of sight through a tile's corner, either way.
+  glm::dvec3 GetRay(int column, int row) const
+  {
+    const glm::dvec3 depth = GetRow(this->TilesFromUnit, 2);
+    return glm::cross(GetRow(this->TilesFromUnit, 0) - static_cast<double>(column) * depth,
+      GetRow(this->TilesFromUnit, 1) - static_cast<double>(row) * depth);
+  }
+
+  // Adds the polygon that a slab's plane has inside a block.
+  void AddCut(const std::array<glm::dvec4, 8>& corners, int slab, TileMask& mask) const
+  {
+    const double height = slab;
+    unsigned above = 0;
+    for (unsigned corner = 0; corner < 8; ++corner)
+    {
+      above |= corners[corner].w > height ? 1u << corner : 0u;
+    }
+    std::array<glm::dvec2, 6> points;
+    std::size_t number = 0;
+    double lowest = VTK_DOUBLE_MAX;
+    double highest = -VTK_DOUBLE_MAX;
+    for (const int index : this->Table.GetEdges(above))
+    {
+      const BoxCutTable::Edge edge = BoxCutTable::GetEdge(index);
+      const glm::dvec4& start = corners[edge.Start];
+      const glm::dvec4& end = corners[edge.Start | 1u << edge.Axis];
+      const glm::dvec4 place = start + (height - start.w) / (end.w - start.w) * (end - start);
+      points[number] = this->IsParallel ? glm::dvec2(place) : glm::dvec2(place) / place.z;
+      lowest = std::min(lowest, points[number].y);
+      highest = std::max(highest, points[number].y);
+      ++number;
+    }
+    const Range rows = this->GetRange(lowest, highest, 1);
+    for (int row = rows[0]; row < rows[1]; ++row)
+    {
+      this->AddRow(points, number, row, mask);
+    }
+  }
+
+  // Adds what a polygon has in a row of tiles.
+  void AddRow(
+    const std::array<glm::dvec2, 6>& points, std::size_t number, int row, TileMask& mask) const
+  {
+    const double lower = row - Rounding;
+    const double upper = row + 1 + Rounding;
+    double least = VTK_DOUBLE_MAX;
+    double most = -VTK_DOUBLE_MAX;
+    for (std::size_t i = 0; i < number; ++i)
+    {
+      const glm::dvec2& point = points[i];
+      const glm::dvec2& other = points[i + 1 < number ? i + 1 : 0];
+      const bool rises = point.y < other.y;
+      const glm::dvec2& start = rises ? point : other;
+      const glm::dvec2& end = rises ? other : point;
+      if (start.y > upper || end.y < lower)
+      {
+        continue;
+      }
+      const double slope = end.y > start.y ? (end.x - start.x) / (end.y - start.y) : 0.0;
+      const double first = start.x + slope * std::max(lower - start.y, 0.0);
+      const double last = end.x - slope * std::max(end.y - upper, 0.0);
+      least = std::min(least, std::min(first, last));
+      most = std::max(most, std::max(first, last));
+    }
+    const Range columns = this->GetRange(least, most, 0);
+    if (columns[0] < columns[1])
+    {
+      mask.Add(columns, row);
+    }
+  }
+
+  std::array<int, 2> Number{};
+  const bool IsParallel;
+  /// To columns and rows of tiles times depth, depth, and slabs from the first one's middle.
+  glm::dmat4 TilesFromUnit;
+  /// What of it the lattice's origin has, and each border along its axis.
+  glm::dvec4 Origin;
+  std::array<std::vector<glm::dvec4>, 3> Borders;
+  const BoxCutTable Table;
+};
+
+void AddRectangle(
+  const Viewer& viewer, const Rectangle& rectangle, int slab, std::vector<float>& vertices)
+{
+  std::array<std::array<float, 3>, 4> places;
+  for (std::size_t corner = 0; corner < 4; ++corner)
+  {
+    places[corner] =
+      viewer.GetPlace(rectangle.Columns[corner & 1u], rectangle.Rows[corner >> 1u], slab);
+  }
+  for (const std::size_t corner : { 0, 1, 3, 0, 3, 2 })
+  {
+    vertices.insert(vertices.end(), places[corner].begin(), places[corner].end());
+  }
+}
+
+}
+
+bool PlaneTiles::Build(const SlicePlan::Sweep& sweep, const glm::dmat4& clipFromUnit,
+  const std::array<int, 2>& size, const VolumeBlocks& blocks, const UnitSpace& space,
+  const std::array<std::array<double, 2>, 3>& box, double margin)
+{
+  return this->Build(sweep, clipFromUnit, size,
+    { { blocks.GetBorders(0), blocks.GetBorders(1), blocks.GetBorders(2) } }, blocks.GetVisible(),
+    space, box, margin);
+}
+
+bool PlaneTiles::Build(const SlicePlan::Sweep& sweep, const glm::dmat4& clipFromUnit,
+  const std::array<int, 2>& size, const std::array<std::vector<double>, 3>& borders,
+  const std::vector<unsigned char>& visible, const UnitSpace& space,
+  const std::array<std::array<double, 2>, 3>& box, double margin)
+{
+  BlockLattice lattice(borders, visible);
+  lattice.Crop(box, space.GetMargins(margin));
+  const std::vector<Block> blocks = lattice.GetVisible();
+  const Viewer viewer(lattice, space, sweep, clipFromUnit, size);
+  const bool isSuitable = viewer.IsSuitable();
+  std::vector<std::vector<float>> parts(static_cast<std::size_t>(sweep.Slabs));
+  vtkSMPTools::For(0, isSuitable ? (sweep.Slabs + Batch - 1) / Batch : 0,
+    [&](vtkIdType first, vtkIdType end)
+    {
+      std::vector<TileMask> masks(Batch, TileMask(viewer.GetNumber()));
+      for (vtkIdType batch = first; batch < end; ++batch)
+      {
+        const int firstSlab = static_cast<int>(batch) * Batch;
+        const int slabs = std::min(Batch, sweep.Slabs - firstSlab);
+        for (const Block& block : blocks)
+        {
+          viewer.Add(block, firstSlab, slabs, masks);
+        }
+        for (int i = 0; i < slabs; ++i)
+        {
+          TileMask& mask = masks[static_cast<std::size_t>(i)];
+          for (const Rectangle& rectangle : MakeRectangles(mask))
+          {
+            AddRectangle(
+              viewer, rectangle, firstSlab + i, parts[static_cast<std::size_t>(firstSlab + i)]);
+          }
+          mask.Clear();
+        }
+      }
+    });
+  this->Join(parts);
+  return isSuitable;
+}
+
+}
