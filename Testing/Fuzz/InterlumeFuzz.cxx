@@ -2,6 +2,7 @@
 // Random pipelines through the public classes: see FuzzCases.h. A case is a family and a seed,
 // which make it again on every machine.
 #include "FuzzCases.h"
+#include "FuzzWatch.h"
 
 #include "vtkLogger.h"
 
@@ -57,10 +58,13 @@ int main(int argc, char* argv[])
   std::vector<std::string> chosen = names;
   std::uint64_t first = 1;
   int count = 50;
+  double limit = 600.0;
   bool isVerbose = false;
   app.add_option("--family", chosen, "Families to run; default all")->check(CLI::IsMember(names));
   app.add_option("--first", first, "The first seed; default 1");
   app.add_option("--cases", count, "Cases of each family; default 50");
+  app.add_option("--limit", limit, "The most seconds a case may take; default 600")
+    ->check(CLI::PositiveNumber);
   app.add_flag("--verbose", isVerbose, "Print each case before it runs");
   CLI11_PARSE(app, argc, argv);
 
@@ -71,6 +75,7 @@ int main(int argc, char* argv[])
   // What is logged is collected as well.
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   reference::Check check;
+  fuzz::FuzzWatch watch(limit);
   for (const fuzz::Family& family : fuzz::GetFamilies())
   {
     if (std::find(chosen.begin(), chosen.end(), family.Name) == chosen.end())
@@ -78,10 +83,12 @@ int main(int argc, char* argv[])
       continue;
     }
     const int before = check.GetNumberOfFailures();
-    for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(count); ++seed)
+    for (int i = 0; i < count; ++i)
     {
-      fuzz::CurrentCase =
-        "\n--family " + family.Name + " --first " + std::to_string(seed) + " --cases 1\n";
+      const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
+      const std::string arguments =
+        "--family " + family.Name + " --first " + std::to_string(seed) + " --cases 1";
+      fuzz::CurrentCase = "\n" + arguments + "\n";
       if (isVerbose)
       {
         std::cerr << fuzz::CurrentCase;
@@ -90,6 +97,7 @@ int main(int argc, char* argv[])
       std::string text;
       const int failures = check.GetNumberOfFailures();
       check.SetContext(family.Name + " " + std::to_string(seed));
+      watch.Begin(arguments, i, count);
       try
       {
         family.Run(random, text, check);
@@ -98,6 +106,7 @@ int main(int argc, char* argv[])
       {
         check.That(false, std::string("an exception: ") + error.what());
       }
+      watch.End();
       if (isVerbose || check.GetNumberOfFailures() > failures)
       {
         std::cerr << "  " << family.Name << " " << seed << " is " << text << "\n";

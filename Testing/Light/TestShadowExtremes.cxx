@@ -139,6 +139,24 @@ void TestShapes(ShadowTable& table)
     table.Measure(direction[2] < 0.0 ? "voxels-1-1-50-along" : "voxels-1-1-50-across",
       "voxels of 1:1:50", scene);
   }
+  for (const double thin : { 1e-6, 1e-9 })
+  {
+    auto sheet = BallScene();
+    sheet.Image =
+      MakeImage({ { 24, 24, 8 } }, { { 1.0 / 24, 1.0 / 24, thin } }, MakeSphere(0.1, 0.45));
+    sheet.Property->SetScalarOpacityUnitDistance(10.0 * thin);
+    // The slices are along the sheet.
+    sheet.Camera = LookAt(sheet.Image, { { -0.3, -0.4, -1.0 } }, true);
+    sheet.Lights = { MakeDirectionalLight({ { 0.3, 0.4, -1.0 } }) };
+    vtkNew<vtkShadowedSliceMapper> mapper;
+    const std::string name = thin < 1e-8 ? "sheet-1e-9" : "sheet-1e-6";
+    const std::string extreme = "voxels " + name.substr(6) + " thick, seen and lit obliquely";
+    const RgbaPicture found = DrawByMapper(mapper, sheet);
+    table.Measure(name, extreme, found, MakeShadowPicture(sheet), Bound);
+    table.Catalogue.Measure(name + "-buffer", extreme,
+      "texels across the light's buffer, more than the fewest",
+      mapper->GetReport().LightBufferSize - 64.0, 0.0);
+  }
   for (double scale : { 1e-6, 1e6 })
   {
     auto scaled = BallScene();

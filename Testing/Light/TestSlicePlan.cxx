@@ -623,6 +623,19 @@ void CheckSettings(Check& check)
                 .Lights[0]
                 .BufferSize,
     2048, "the largest automatic one");
+  // A sheet, and a needle, of 100 voxels by 100 by 50 under oblique light.
+  const std::vector<interlume::LightSource> oblique = { MakeDirectional(
+    Normalize(glm::dvec3(0.3, -0.4, -1.0), {})) };
+  const auto getSize = [&](const std::array<double, 3>& spacing)
+  {
+    const interlume::UnitSpace volume = MakeUnitSpace({ { 101, 101, 51 } }, spacing);
+    return Plan(eye, oblique, volume, settings).Sweeps[0].Lights[0].BufferSize;
+  };
+  check.Equal(getSize({ { 1.0, 1.0, 1e-9 } }), getSize({ { 1.0, 1.0, 1e-6 } }),
+    "voxels of a sheet that is thinner than a texel need none");
+  check.That(getSize({ { 1.0, 1.0, 1e-9 } }) <= 160, "but those across the sheet");
+  check.That(getSize({ { 1.0, 1e9, 1.0 } }) <= 160, "and those along a needle");
+  check.Equal(getSize({ { 1.0, 1.0, 0.01 } }), 2048, "those of a thicker sheet do");
 
   const glm::dvec3 voxel{ 1.0 / space.Radius, 1.0 / space.Radius, 50.0 / space.Radius };
   Random random(5);

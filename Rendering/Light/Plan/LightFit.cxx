@@ -4,6 +4,7 @@
 #include "Common/Vectors.h"
 #include "Lights/EmitterSamples.h"
 #include "Plan/SliceNormal.h"
+#include "Space/UnitSpace.h"
 
 #include "vtkMath.h"
 
@@ -152,12 +153,21 @@ bool LightFit::FitScreen(const LightSource& source, Window& window) const
   return window.Range[0][0] < window.Range[0][1] && window.Range[1][0] < window.Range[1][1];
 }
 
-double LightFit::GetVoxelSpacing(const glm::dvec3& direction) const
+double LightFit::GetVoxelSpacing(const glm::dvec3& direction, double extent) const
 {
   double spacing = std::numeric_limits<double>::max();
   for (const SlicePlan::Matter& volume : this->Matter)
   {
-    spacing = std::min(spacing, SlicePlan::GetVoxelSpacing(*volume.Space, direction));
+    const glm::dvec3 along = TransformVector(volume.Space->TextureFromUnit, direction);
+    glm::dvec3 texels(0.0);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const std::array<double, 2>& range = volume.Box[axis];
+      const bool isSeen =
+        LargestAutomatic * (range[1] - range[0]) >= std::abs(along[axis]) * extent;
+      texels[axis] = isSeen ? along[axis] * volume.Space->Size[axis] : 0.0;
+    }
+    spacing = std::min(spacing, 1.0 / Vectors::SafeLength(texels));
   }
   return spacing;
 }
@@ -205,13 +215,13 @@ void LightFit::FitPlane(
   for (std::size_t i = 0; i < 2; ++i)
   {
     const double extent = middle * (window.Range[i][1] - window.Range[i][0]);
-    texels = std::max(texels, extent / this->GetVoxelSpacing(window.Across[i]));
+    texels = std::max(texels, extent / this->GetVoxelSpacing(window.Across[i], extent));
   }
   light.IsWide = false;
   light.BufferSize = this->GetSize(fineness * this->Settings.TexelsOfVoxel * texels, smallest);
   light.BufferFromUnit = glm::dmat4(0.0);
   light.TexelSize = 0.0;
-  light.VoxelLength = this->GetVoxelSpacing(window.Axis);
+  light.VoxelLength = this->GetVoxelSpacing(window.Axis, 0.0);
 
   const double inner = 1.0 - 2.0 * Border / light.BufferSize;
   const double widest =
@@ -307,7 +317,7 @@ void LightFit::FitHalfSpace(
     // Near a face few rays go as far, and texels have their price.
     const double outside = std::max({ range[0] - place, place - range[1], 0.0 });
     const double reach = std::min(farthest, 0.7 * (range[1] - range[0]) + 2.0 * outside);
-    texels = std::max(texels, reach / this->GetVoxelSpacing(axes[i]));
+    texels = std::max(texels, reach / this->GetVoxelSpacing(axes[i], reach));
   }
   light.IsWide = true;
   light.BufferFromUnit = glm::dmat4(0.0);

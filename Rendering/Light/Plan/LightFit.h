@@ -65,8 +65,11 @@ private:
   /// number at least.
   void FitPlane(const LightSource& source, SlicePlan::ShadowedLight& light, double fineness,
     int smallest) const;
-  /// The shortest of a voxel's length along a direction of all volumes.
-  double GetVoxelSpacing(const glm::dvec3& direction) const;
+  /// The shortest of a voxel's length along a direction of all volumes. Where that is for a buffer
+  /// of some extent, axes do not count along which all of a volume is within less than a texel of
+  /// the largest automatic buffer: voxels a million times as long as thin would ask for that
+  /// buffer, and be lost in it.
+  double GetVoxelSpacing(const glm::dvec3& direction, double extent) const;
 
   const BoxCorners& Corners;
   const std::vector<SlicePlan::Matter>& Matter;
