@@ -256,9 +256,10 @@ void TestInflow(StabilityCatalogue& catalogue)
     image->GetPointData()->SetVectors(vectors);
     return surface->PlaceIn(image, vectors, true);
   };
-  for (const double size : { 1e-150, 1e-100, 1e-60, 1e-6, 1e6, 1e60, 1e100, 1e150 })
+  for (const double size :
+    { 1e-300, 1e-200, 1e-150, 1e-100, 1e-60, 1e-6, 1e6, 1e60, 1e100, 1e150, 1e200, 1e300 })
   {
-    for (const double speed : { 1e-150, 1e-100, 1e-6, 1e6, 1e100, 1e150 })
+    for (const double speed : { 1e-300, 1e-200, 1e-150, 1e-100, 1e-6, 1e6, 1e100, 1e150, 1e200 })
     {
       vtkNew<vtkTerminationInflow> surface;
       const std::string wrong = place(size, speed, surface);

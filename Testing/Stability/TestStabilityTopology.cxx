@@ -8,14 +8,17 @@
 #include "Reference/Meshes/ReferenceMesh.h"
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVortexAxis.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -57,7 +60,7 @@ double ErrorOfPoint(vtkDataSet* data, const FlowMatrix& matrix, const FlowVector
 
 void TestPointScales(StabilityCatalogue& catalogue)
 {
-  for (const double length : { 1e-150, 1e-100, 1e-12, 1.0, 1e12, 1e100, 1e150 })
+  for (const double length : { 1e-200, 1e-150, 1e-100, 1e-12, 1.0, 1e12, 1e100, 1e150, 1e200 })
   {
     for (const double speed : { 1e-200, 1e-12, 1e12, 1e200 })
     {
@@ -106,6 +109,43 @@ void TestPointScales(StabilityCatalogue& catalogue)
     ErrorOfPoint(MakeMesh(MeshKind::Hexahedra, { 3, 4, 2 }),
       { { 1e9, 2e9, 3e9, -1.0, 1.0, 0.5, 2e-9, -1e-9, 1e-9 } }, ZeroPlaces[0]),
     1e-11);
+}
+
+/// The critical point in a box of 4 x 4 x 4 cells with sides of any length, each for itself.
+void TestCellLengths(StabilityCatalogue& catalogue)
+{
+  for (const double length : { 1e-250, 1e-200, 1e-100, 1e-12, 1.0, 1e12, 1e100, 1e200, 1e250 })
+  {
+    for (const double thin : { 1.0, 1e-40, 1e40 })
+    {
+      const FlowVector size = { { length, length, length * thin } };
+      auto image = vtkSmartPointer<vtkImageData>::New();
+      image->SetDimensions(5, 5, 5);
+      image->SetOrigin(-size[0], -size[1], -size[2]);
+      image->SetSpacing(0.5 * size[0], 0.5 * size[1], 0.5 * size[2]);
+      const FlowFunction field = LinearField(GenericMatrix, { { 0.13, -0.37, 0.71 } });
+      SetVelocity(image,
+        [&](const FlowVector& x) {
+          return field({ { x[0] / size[0], x[1] / size[1], x[2] / size[2] } });
+        });
+      const CriticalPoints result(image);
+      const std::string name = "cell-" + Short(length) + "-thick-" + Short(thin);
+      const std::string extreme =
+        "cells of " + Short(length) + ", " + Short(thin) + " times as thick as wide";
+      const bool isOne = result.GetNumber() == 1;
+      catalogue.Measure(name, extreme, "distance of the one critical point from it, in sides",
+        isOne
+          ? std::hypot(result.GetPosition(0)[0] / size[0] - 0.13,
+              result.GetPosition(0)[1] / size[1] + 0.37, result.GetPosition(0)[2] / size[2] - 0.71)
+          : NaN,
+        1e-11);
+      // The cube root of the volume, which is no number itself.
+      catalogue.Measure(name + "-length", extreme, "relative error of the cell's length",
+        isOne ? result.GetArray("CellLength")->GetTuple1(0) / (0.5 * length * std::cbrt(thin)) - 1.0
+              : NaN,
+        1e-12);
+    }
+  }
 }
 
 void TestPointCells(StabilityCatalogue& catalogue)
@@ -170,13 +210,55 @@ double ErrorOfAxis(vtkVortexAxis* filter, double size, vtkIdType places)
   return most;
 }
 
+/// Planes are the layers of a grid along the axis, however near each other.
+void TestLayers(StabilityCatalogue& catalogue)
+{
+  for (const double size : { 1e-250, 1e-200, 1e-100, 1.0, 1e100, 1e200, 1e250 })
+  {
+    const std::array<double, 6> layers = { { 0.0, 1e-9, 1e-6, 1e-3, 0.5, 1.0 } };
+    vtkNew<vtkDoubleArray> across;
+    for (const double place : { -1.0, 0.0, 1.0 })
+    {
+      across->InsertNextValue(size * place);
+    }
+    vtkNew<vtkDoubleArray> along;
+    for (const double place : layers)
+    {
+      along->InsertNextValue(size * place);
+    }
+    auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
+    grid->SetDimensions(3, 3, static_cast<int>(layers.size()));
+    grid->SetXCoordinates(across);
+    grid->SetYCoordinates(across);
+    grid->SetZCoordinates(along);
+    SetVelocity(grid, MakeVortex(size, 1.0));
+    vtkNew<vtkVortexAxis> filter;
+    filter->SetInputData(grid);
+    const double error = ErrorOfAxis(filter, size, static_cast<vtkIdType>(layers.size()));
+    double most = error;
+    for (std::size_t i = 0; std::isfinite(error) && i < layers.size(); ++i)
+    {
+      const double place = filter->GetOutput()->GetPoint(static_cast<vtkIdType>(i))[2] / size;
+      // Of the layer's own distance from the first, which is as small as 1e-9.
+      most = std::max(most, std::abs(place - layers[i]) / std::max(layers[i], 1e-9));
+    }
+    catalogue.Measure("layers-" + Short(size),
+      "layers from 1e-9 to 0.5 apart in a grid of " + Short(size),
+      "farthest of 6 places from the axis, and from its layer", most, 1e-6);
+  }
+}
+
 void TestAxes(StabilityCatalogue& catalogue)
 {
   catalogue.SetClass("vtkVortexAxis");
-  for (const double size : { 1e-150, 1e-100, 1e-12, 1.0, 1e12, 1e100, 1e150 })
+  for (const double size : { 1e-200, 1e-150, 1e-100, 1e-12, 1.0, 1e12, 1e100, 1e150, 1e200 })
   {
     for (const double speed : { 1e-150, 1e-100, 1e-12, 1e12, 1e100, 1e150 })
     {
+      if (!std::isnormal(speed / size))
+      {
+        continue;
+      }
       auto image = MakeCube(6, size);
       SetVelocity(image, MakeVortex(size, speed));
       vtkNew<vtkVortexAxis> filter;
@@ -234,7 +316,9 @@ int TestStabilityTopology(int argc, char* argv[])
   StabilityCatalogue catalogue("TestStabilityTopology", argc, argv);
   catalogue.SetClass("vtkFlowCriticalPoints");
   TestPointScales(catalogue);
+  TestCellLengths(catalogue);
   TestPointCells(catalogue);
   TestAxes(catalogue);
+  TestLayers(catalogue);
   return catalogue.GetExitCode();
 }

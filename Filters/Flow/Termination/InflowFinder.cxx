@@ -141,7 +141,6 @@ public:
       this->High = std::max(this->High, cell.High[axis]);
     }
     const double width = (this->High - this->Low) / NumberOfSlabs;
-    const double scale = MultilinearCell::GetScale(width);
     for (const Cell& cell : cells)
     {
       std::array<double, NumberOfSlabs>& flows = this->Flows[cell.Flow[axis] > 0.0 ? 0 : 1];
@@ -149,8 +148,7 @@ public:
       {
         const double begin = std::max(cell.Low[axis], this->Low + slab * width);
         const double end = std::min(cell.High[axis], this->Low + (slab + 1) * width);
-        flows[slab] +=
-          std::abs(cell.Flow[axis]) * (std::max(end - begin, 0.0) * scale) / (width * scale);
+        flows[slab] += std::abs(cell.Flow[axis]) * (std::max(end - begin, 0.0) / width);
       }
     }
   }

@@ -23,7 +23,8 @@ const std::array<FlowVector, 14> ZeroPlaces = { { { { 1.23, 2.41, 0.77 } }, { { 
 
 double Distance(const double* a, const double* b)
 {
-  return std::sqrt(vtkMath::Distance2BetweenPoints(a, b));
+  // Squares of very small and large differences are no numbers.
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 double Determinant(const double* m)
