@@ -4,6 +4,7 @@
 #include "Common/AbortCheck.h"
 #include "Common/Batches.h"
 #include "Common/NamedValue.h"
+#include "Common/Vectors.h"
 #include "Convolution/ArcWalk.h"
 #include "Convolution/ConvolutionKernel.h"
 #include "Convolution/LatticeNoise.h"
@@ -81,7 +82,10 @@ bool vtkFlowLIC::FindSteps(vtkDataSet* points)
   report.NoiseScale = this->NoiseScale;
   if (report.NoiseScale == 0.0)
   {
-    const double diagonal = points->GetLength();
+    double box[6];
+    points->GetBounds(box);
+    const double diagonal =
+      interlume::Vectors::SafeLength({ box[1] - box[0], box[3] - box[2], box[5] - box[4] });
     report.NoiseScale = diagonal > 0.0 ? diagonal / 128.0 : 1.0;
   }
   report.Length = this->Length > 0.0 ? this->Length : 10.0 * report.NoiseScale;

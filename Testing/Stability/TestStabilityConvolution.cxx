@@ -6,12 +6,14 @@
 #include "Reference/Flow/ReferenceFlowGrid.h"
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFlowLIC.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +26,11 @@ using namespace reference;
 using namespace stability;
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+Vector Turn(const Vector& x)
+{
+  return { { -x[1], x[0], 0.25 } };
+}
 
 /// An image over -2 ... 2 times the size, of the field's vectors at places over the size.
 vtkSmartPointer<vtkImageData> MakeImage(
@@ -43,9 +50,24 @@ vtkSmartPointer<vtkImageData> MakeImage(
   return image;
 }
 
-Vector Turn(const Vector& x)
+/// The same box, as a rectilinear grid, of any size.
+vtkSmartPointer<vtkRectilinearGrid> MakeGrid(double size)
 {
-  return { { -x[1], x[0], 0.25 } };
+  auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
+  vtkNew<vtkDoubleArray> places;
+  for (int i = -8; i <= 8; ++i)
+  {
+    places->InsertNextValue(0.25 * i * size);
+  }
+  grid->SetDimensions(17, 17, 17);
+  grid->SetXCoordinates(places);
+  grid->SetYCoordinates(places);
+  grid->SetZCoordinates(places);
+  AddVectors(grid,
+    [&](const Vector& x) {
+      return Turn({ { x[0] / size, x[1] / size, x[2] / size } });
+    });
+  return grid;
 }
 
 vtkDataArray* GetValues(vtkFlowLIC* filter)
@@ -76,10 +98,15 @@ void TestScales(StabilityCatalogue& catalogue)
   plain->SetInputData(MakeImage(&Turn));
   plain->SetNoiseScale(0.25);
   plain->Update();
-  for (const double size : { 0x1p-300, 0x1p-40, 0x1p40, 0x1p300 })
+  for (const double size :
+    { 0x1p-800, 0x1p-400, 0x1p-300, 0x1p-40, 0x1p40, 0x1p300, 0x1p400, 0x1p800 })
   {
     for (const double speed : { 0x1p-600, 0x1p-400, 0x1p-40, 0x1p40, 0x1p400, 0x1p600 })
     {
+      if (!std::isnormal(speed / size))
+      {
+        continue;
+      }
       vtkNew<vtkFlowLIC> scaled;
       scaled->SetInputData(MakeImage(&Turn, size, speed));
       scaled->SetNoiseScale(0.25 * size);
@@ -89,6 +116,26 @@ void TestScales(StabilityCatalogue& catalogue)
         "largest difference from the same at size 1", difference, 1e-5,
         "Runge-Kutta 4: " + std::to_string(scaled->GetReport().Steps) + " each way");
     }
+  }
+}
+
+/// Noise as fine as by default is 1/128 of the box's diagonal.
+void TestAutomaticNoise(StabilityCatalogue& catalogue)
+{
+  vtkNew<vtkFlowLIC> plain;
+  plain->SetInputData(MakeGrid(1.0));
+  plain->Update();
+  for (const double size : { 0x1p-800, 0x1p-600, 0x1p-300, 0x1p300, 0x1p600, 0x1p800 })
+  {
+    vtkNew<vtkFlowLIC> automatic;
+    automatic->SetInputData(MakeGrid(size));
+    const double difference = CompareValues(automatic, plain);
+    catalogue.Measure("noise-" + Short(size), "a box of " + Short(size) + ", noise by default",
+      "relative error of the noise's scale",
+      automatic->GetReport().NoiseScale / (std::sqrt(3.0) / 32.0 * size) - 1.0, 1e-14);
+    catalogue.Measure("noise-" + Short(size) + "-value",
+      "a box of " + Short(size) + ", noise by default",
+      "largest difference from the same at size 1", difference, 1e-5);
   }
 }
 
@@ -207,6 +254,7 @@ int TestStabilityConvolution(int argc, char* argv[])
   StabilityCatalogue catalogue("TestStabilityConvolution", argc, argv);
   catalogue.SetClass("vtkFlowLIC");
   TestScales(catalogue);
+  TestAutomaticNoise(catalogue);
   TestLongLines(catalogue);
   TestStill(catalogue);
   TestPlaces(catalogue);

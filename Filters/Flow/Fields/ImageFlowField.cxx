@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/ImageFlowField.h"
 
+#include "Cells/MultilinearCell.h"
+#include "Common/Vectors.h"
+
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 
@@ -23,7 +26,7 @@ std::string ImageFlowField::Build(vtkImageData* image, vtkDataArray* vectors,
   vtkImageData* whole = part ? vtkImageData::SafeDownCast(part->Whole) : image;
   vtkMatrix4x4* matrix = whole->GetIndexToPhysicalMatrix();
   const int* extent = whole->GetExtent();
-  double columns[3][3];
+  glm::dmat3 columns;
   for (int i = 0; i < 3; ++i)
   {
     this->Origin[i] = matrix->GetElement(i, 3);
@@ -34,20 +37,23 @@ std::string ImageFlowField::Build(vtkImageData* image, vtkDataArray* vectors,
       this->Origin[i] += this->Axes[i][j] * extent[2 * j];
     }
   }
-  // The cross products of columns give the inverse, so that spacings of any size have one.
+  // The cross products of columns give the inverse. They are first brought to a size of about 1, so
+  // that spacings of any size have one.
+  double scales[3];
+  for (int j = 0; j < 3; ++j)
+  {
+    scales[j] = MultilinearCell::GetScale(Vectors::InfinityNorm(columns[j]));
+    columns[j] *= scales[j];
+  }
   for (int i = 0; i < 3; ++i)
   {
-    const double* b = columns[(i + 1) % 3];
-    const double* c = columns[(i + 2) % 3];
-    const double normal[3] = { b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2],
-      b[0] * c[1] - b[1] * c[0] };
-    const double* a = columns[i];
-    const double volume = a[0] * normal[0] + a[1] * normal[1] + a[2] * normal[2];
+    const glm::dvec3 normal = glm::cross(columns[(i + 1) % 3], columns[(i + 2) % 3]);
+    const double volume = glm::dot(columns[i], normal);
     const double* bounds = this->GetBounds();
     double rounding = 0.0;
     for (int j = 0; j < 3; ++j)
     {
-      this->Inverse[i][j] = normal[j] / volume;
+      this->Inverse[i][j] = normal[j] / volume * scales[i];
       rounding += std::abs(this->Inverse[i][j]) *
         std::max(std::abs(bounds[2 * j]), std::abs(bounds[2 * j + 1]));
     }

@@ -36,7 +36,8 @@ std::string RectilinearFlowField::Build(vtkRectilinearGrid* grid, vtkDataArray* 
     {
       values[i] = coordinates[axis]->GetTuple1(i);
       const double step = i > 0 ? values[i] - values[i - 1] : 0.0;
-      if (!std::isfinite(values[i]) || (i > 0 && !(step * (values[1] - values[0]) > 0.0)))
+      const bool isFurther = i == 0 || (values[1] > values[0] ? step > 0.0 : step < 0.0);
+      if (!std::isfinite(values[i]) || !isFurther)
       {
         return std::string("the coordinates along ") + "xyz"[axis] +
           " neither ascend nor descend to number " + std::to_string(i);
