@@ -37,13 +37,14 @@ class Folder:
         (self.root / "Documentation" / "measurements.md").write_text("", encoding="utf-8")
         (self.root / "README.md").write_text("A\n<!-- measured: x -->\nold\n<!-- /measured -->\nB\n", encoding="utf-8")
 
-    def add(self, rows, version="9.1.0", suite="interval", transcribed="", claims=()):
+    def add(self, rows, version="9.1.0", suite="interval", transcribed="", claims=(), **conditions):
         folder = self.data / ("vtk-" + version[:3])
         folder.mkdir(exist_ok=True)
         results = {"vtk": version, "rows": rows, "suites": {suite: {"took": 12, "claims": list(claims)}},
                    "machine": {"cpu": "one", "cores": 2, "memory_gib": 3.5, "smp": "TBB", "compiler": "gcc 12",
                                "build": "Release"},
-                   "conditions": {"date": "2026-01-02", "size": "quick", "threads": 2, "load": 0.25, "text": "by hand"}}
+                   "conditions": {"date": "2026-01-02", "size": "quick", "threads": 2, "load": 0.25, "text": "by hand",
+                                  **conditions}}
         if transcribed:
             results["transcribed"] = transcribed
         (folder / f"{suite}.json").write_text(json.dumps(results), encoding="utf-8")
@@ -81,6 +82,12 @@ class TestPages(unittest.TestCase):
         self.assertIn("5 (one run)", page)
         self.assertIn("times of one run", page)
         self.assertNotIn("median", page)
+
+    def test_each_part_has_its_date_and_load(self):
+        folder = Folder()
+        folder.add(FAST, command="a; b", parts=[{"command": "a", "date": "2026-01-02", "load": 0.5},
+                                                {"command": "b", "date": "2026-01-04"}])
+        self.assertIn("VTK 9.1, `a`, 2026-01-02, load 0.5 before; `b`, 2026-01-04, one, 2 cores", folder.page())
 
     def test_losses_first_and_a_column_for_each_vtk(self):
         folder = Folder()

@@ -49,8 +49,13 @@ class Run:
             return f"† transcribed; VTK {self.version}, {conditions['text']}"
         load = f", load {conditions['load']} before" if "load" in conditions else ""
         devices = sorted({row["counts"]["device"] for row in self.rows if "device" in row.get("counts", {})})
-        return (f"VTK {self.version}, `{self.whole_command()}`, {conditions['date']}, "
-                + ", ".join([self.machine_text(), *devices]) + f"{load}; {self.runs_text()}")
+        # Of what was put together of several runs each has its own.
+        when = "; ".join(f"`{part['command']}`, {part['date']}"
+                         + (f", load {part['load']} before" if "load" in part else "")
+                         for part in conditions.get("parts", []))
+        when = when or f"`{self.whole_command()}`, {conditions['date']}"
+        return (f"VTK {self.version}, {when}, " + ", ".join([self.machine_text(), *devices])
+                + f"{load}; {self.runs_text()}")
 
     def whole_command(self):
         return self.command() if "command" in self.conditions else f"interlume-bench {self.command()}"

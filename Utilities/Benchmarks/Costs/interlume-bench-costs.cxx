@@ -3,6 +3,7 @@
 // add: see gallery::MeasureSceneCosts. Prints rows, see CostRows.h, and writes them as JSON, which
 // `interlume-bench report --costs` makes tables of.
 #include "Benchmarks/Costs/CostRows.h"
+#include "Benchmarks/Results/BenchMachine.h"
 #include "Benchmarks/Results/BenchResults.h"
 #include "Gallery/Costs/SceneCosts.h"
 #include "Gallery/Picture.h"
@@ -144,21 +145,21 @@ void SetRows(BenchResults& results, const SceneRows& scenes)
   results.Rows = rows;
 }
 
-/// What files have, under the conditions of the first one, with the commands of all.
+/// What files have, under the conditions of all, see JoinConditions.
 BenchResults ReadAll(const std::vector<std::string>& paths)
 {
   SceneRows scenes;
   BenchResults results = BenchResults::Read(paths.front());
-  std::string commands;
+  std::vector<nlohmann::ordered_json> conditions;
   double took = 0.0;
   for (const std::string& path : paths)
   {
     const BenchResults file = BenchResults::Read(path);
     Take(file, scenes);
-    commands += (commands.empty() ? "" : "; ") + file.Conditions.at("command").get<std::string>();
+    conditions.push_back(file.Conditions);
     took += file.Suites.at(costs::Suite).at("took").get<double>();
   }
-  results.Conditions["command"] = commands;
+  results.Conditions = JoinConditions(conditions);
   results.Suites[costs::Suite]["took"] = took;
   SetRows(results, scenes);
   return results;

@@ -5,6 +5,7 @@
 
 #include <vtksys/SystemInformation.hxx>
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <fstream>
@@ -88,6 +89,48 @@ std::string MachineInOneLine(const nlohmann::ordered_json& machine, const std::s
   return line.str();
 }
 
+nlohmann::ordered_json JoinConditions(const std::vector<nlohmann::ordered_json>& runs)
+{
+  if (runs.size() == 1)
+  {
+    return runs.front();
+  }
+  auto parts = nlohmann::ordered_json::array();
+  for (const nlohmann::ordered_json& run : runs)
+  {
+    if (run.contains("parts"))
+    {
+      parts.insert(parts.end(), run["parts"].begin(), run["parts"].end());
+      continue;
+    }
+    nlohmann::ordered_json part;
+    for (const char* name : { "command", "date", "load" })
+    {
+      if (run.contains(name))
+      {
+        part[name] = run[name];
+      }
+    }
+    parts.push_back(part);
+  }
+  nlohmann::ordered_json joined = runs.front();
+  joined.erase("load");
+  std::string commands;
+  std::string first = parts[0].at("date");
+  std::string last = first;
+  for (const nlohmann::ordered_json& part : parts)
+  {
+    commands += (commands.empty() ? "" : "; ") + part.value("command", "");
+    const std::string date = part.at("date");
+    first = std::min(first, date);
+    last = std::max(last, date);
+  }
+  joined["command"] = commands;
+  joined["date"] = first == last ? first : first + " to " + last;
+  joined["parts"] = parts;
+  return joined;
+}
+
 std::string ConditionsInOneLine(const nlohmann::ordered_json& conditions)
 {
   std::ostringstream line;
@@ -96,6 +139,16 @@ std::string ConditionsInOneLine(const nlohmann::ordered_json& conditions)
   if (conditions.contains("load"))
   {
     line << ", load before " << conditions["load"];
+  }
+  if (conditions.contains("parts"))
+  {
+    const char* before = ", loads before ";
+    for (const nlohmann::ordered_json& part : conditions["parts"])
+    {
+      line << before << (part.contains("load") ? part["load"].dump() : "unknown") << " on "
+           << part.value("date", "");
+      before = ", ";
+    }
   }
   return line.str();
 }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <vector>
 
 /**
  * What the numbers were measured on: cpu, cores, memory_gib, system, compiler, build, smp.
@@ -18,6 +19,13 @@ nlohmann::ordered_json DescribeMachine();
  * ran or waited to run, the mean of the minute before.
  */
 nlohmann::ordered_json DescribeConditions(const BenchOptions& options);
+
+/**
+ * Conditions of runs that are put together: those of the first one, the commands of all, the first
+ * and the last date, and in `parts` the command, date and load of each, which `load` itself does
+ * not stand for. Those of one run stay as they are.
+ */
+nlohmann::ordered_json JoinConditions(const std::vector<nlohmann::ordered_json>& runs);
 
 /**
  * A machine so described, and the VTK version, in one line for a caption.
