@@ -16,10 +16,12 @@
 #include "vtkPlotBar.h"
 #include "vtkTable.h"
 
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace
@@ -128,6 +130,40 @@ void CheckRows()
   const Family family = { question, nullptr };
   Expect(CheckDefaults({ family }, rows.Get()).Cases.size() == 1, "one claim");
   Expect(CheckDefaults({ family }, {}).Cases.empty(), "no claim without rows");
+}
+
+/// Times are the processor's where that is asked for: what waits takes none.
+void CheckClocks()
+{
+  using namespace approximations;
+  const Question question = { "made-up", "Made up", "Is it right?", "Made up.", "run time (s)",
+    "error" };
+  Trials trials;
+  trials.SetSize("cells along an edge", 8);
+  const auto wait = []()
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(40));
+    return vtkSmartPointer<vtkObjectBase>();
+  };
+  trials.Add("own", "1", Maker::Default, wait, []() { return 0.5; });
+  BenchOptions options;
+  options.Size = BenchOptions::TINY;
+  for (const Clock clock : { Clock::Wall, Clock::Processor })
+  {
+    BenchRows rows("suite");
+    trials.Run(question, options, rows, clock);
+    const bool isProcessor = clock == Clock::Processor;
+    Expect(*rows.Get()[0].Seconds >= 0.04, "seconds are those on the wall");
+    const BenchPlot plot = approximations::MakePlot(question, rows.Get());
+    Expect(isProcessor == (plot.AllSeries.at(0).X.at(0) < 0.02), "the plot has those of its clock");
+    Expect(plot.XLabel == (isProcessor ? "processor run time (s)" : "run time (s)"),
+      "axis: " + plot.XLabel);
+    Expect(plot.Conditions ==
+        (isProcessor ? "Made up. cells along an edge 8. Times are the processor's, of all threads."
+                     : "Made up. cells along an edge 8."),
+      "caption: " + plot.Conditions);
+  }
+  Expect(ClockOf(nullptr) == Clock::Wall, "no window is no software OpenGL");
 }
 
 /// The plots of a chart with that label, and the points of the last one.
@@ -291,6 +327,7 @@ int main()
   CheckFront();
   CheckAnswers();
   CheckRows();
+  CheckClocks();
   CheckChart();
   CheckGreys();
   CheckDashes();

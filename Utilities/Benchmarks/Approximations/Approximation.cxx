@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Approximations/Approximation.h"
 
+#include "Benchmarks/Measures/ProcessorClock.h"
 #include "Benchmarks/Results/ErrorFront.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkSoftwareOpenGL.h"
 
 #include <algorithm>
 #include <iterator>
@@ -13,6 +17,7 @@ namespace
 {
 const char* const IsDefault = "default";
 const char* const IsPeer = "peer";
+const char* const ProcessorSeconds = "processor_seconds";
 
 /// The counts that are sizes, in words.
 std::string SizesOf(const BenchRow& row)
@@ -20,7 +25,7 @@ std::string SizesOf(const BenchRow& row)
   std::string text;
   for (const auto& count : row.Counts.items())
   {
-    if (count.key() != IsDefault && count.key() != IsPeer)
+    if (count.key() != IsDefault && count.key() != IsPeer && count.key() != ProcessorSeconds)
     {
       text +=
         (text.empty() ? " " : ", ") + count.key() + " " + NumberText(count.value().get<double>());
@@ -30,17 +35,25 @@ std::string SizesOf(const BenchRow& row)
 }
 }
 
+Clock ClockOf(vtkRenderWindow* window)
+{
+  auto* opened = vtkOpenGLRenderWindow::SafeDownCast(window);
+  return opened && vtkSoftwareOpenGL::IsUsed(opened) ? Clock::Processor : Clock::Wall;
+}
+
 void Trials::Add(const std::string& method, const std::string& setting, Maker maker,
   const BenchWork& work, const std::function<double()>& measure)
 {
   this->All.push_back({ method, setting, maker, work, measure });
 }
 
-void Trials::Run(const Question& question, const BenchOptions& options, BenchRows& rows) const
+void Trials::Run(
+  const Question& question, const BenchOptions& options, BenchRows& rows, Clock clock) const
 {
+  std::vector<ProcessorClock> processor(this->All.size());
   std::vector<BenchWork> works;
-  std::transform(this->All.begin(), this->All.end(), std::back_inserter(works),
-    [](const Trial& trial) { return trial.Work; });
+  std::transform(this->All.begin(), this->All.end(), processor.begin(), std::back_inserter(works),
+    [](const Trial& trial, ProcessorClock& watch) { return watch.Watch(trial.Work); });
   const std::vector<BenchSeconds> seconds = MeasureAlternately(works, options.GetRepeats());
   for (std::size_t i = 0; i < this->All.size(); ++i)
   {
@@ -54,6 +67,10 @@ void Trials::Run(const Question& question, const BenchOptions& options, BenchRow
     row.Error = trial.Measure();
     row.ErrorNorm = question.ErrorNorm;
     row.Counts = this->Sizes;
+    if (clock == Clock::Processor)
+    {
+      row.Counts[ProcessorSeconds] = processor[i].Take().Value;
+    }
     if (trial.By != Maker::Own)
     {
       row.Counts[trial.By == Maker::Peer ? IsPeer : IsDefault] = 1;
@@ -68,6 +85,7 @@ BenchPlot MakePlot(const Question& question, const std::vector<BenchRow>& rows)
     question.Name, question.Title, question.TimeLabel, "error: " + question.ErrorNorm);
   plot.Question = question.Text;
   plot.Conditions = question.Conditions;
+  bool isWatched = false;
   for (const BenchRow& row : rows)
   {
     // An error of nothing has no place on a logarithmic axis.
@@ -79,12 +97,20 @@ BenchPlot MakePlot(const Question& question, const std::vector<BenchRow>& rows)
     {
       plot.Conditions += SizesOf(row);
     }
+    isWatched = row.Counts.contains(ProcessorSeconds);
+    const double seconds =
+      isWatched ? row.Counts[ProcessorSeconds].get<double>() : row.Seconds->Value;
     const std::string setting = row.Parameter.is_null() ? std::string() : row.GetParameterText();
-    plot.AddPoint(row.Method, row.Counts.contains(IsPeer), *row.Seconds, *row.Error, setting);
+    plot.AddPoint(row.Method, row.Counts.contains(IsPeer), seconds, *row.Error, setting);
     if (row.Counts.contains(IsDefault))
     {
       plot.SetDefault(row.Method, setting);
     }
+  }
+  if (isWatched)
+  {
+    plot.XLabel = "processor " + question.TimeLabel;
+    plot.Conditions += " Times are the processor's, of all threads.";
   }
   return plot;
 }

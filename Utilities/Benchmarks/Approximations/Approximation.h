@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+class vtkRenderWindow;
+
 /**
  * Settings by which something is only approximately right: how wrong against how long it takes.
  */
@@ -39,6 +41,18 @@ enum class Maker
   Peer
 };
 
+/// What the times of a plot are of: the clock on the wall, or the processor time of all threads,
+/// which what else the machine does is not in.
+enum class Clock
+{
+  Wall,
+  Processor
+};
+
+/// The clock of what draws into a window: the processor's where OpenGL is software, whose threads
+/// are this process's, and the one on the wall where a graphics card draws.
+Clock ClockOf(vtkRenderWindow* window);
+
 /**
  * The ways to do one thing, which are timed in turn and then compared with a reference.
  */
@@ -54,8 +68,9 @@ public:
   void SetSize(const std::string& name, double number) { this->Sizes[name] = number; }
 
   /// Measures, and adds a row for each trial: in its counts `default` or `peer`, 1 where it is
-  /// that, and the sizes.
-  void Run(const Question& question, const BenchOptions& options, BenchRows& rows) const;
+  /// that, the sizes, and by the processor's clock `processor_seconds` beside the seconds.
+  void Run(const Question& question, const BenchOptions& options, BenchRows& rows,
+    Clock clock = Clock::Wall) const;
 
 private:
   struct Trial
@@ -78,7 +93,8 @@ struct Family
   void (*AddRows)(const Question& question, const BenchOptions& options, BenchRows& rows);
 };
 
-/// The plot of a question's rows: a series for each method, the default's point ringed.
+/// The plot of a question's rows: a series for each method, the default's point ringed. Where the
+/// rows have processor seconds, these are its times, and the axis and caption say so.
 BenchPlot MakePlot(const Question& question, const std::vector<BenchRow>& rows);
 
 /// The claim that each default is on its front, by GetCostOverFront.

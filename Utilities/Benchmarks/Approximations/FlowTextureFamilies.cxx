@@ -92,7 +92,7 @@ public:
 
   void Run(const Question& question, BenchRows& rows)
   {
-    this->AllTrials.Run(question, this->Options, rows);
+    this->AllTrials.Run(question, this->Options, rows, ClockOf(this->Stage.GetWindow()));
   }
 
 private:

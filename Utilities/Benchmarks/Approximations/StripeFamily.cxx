@@ -165,7 +165,7 @@ void AddStripeRows(const Question& question, const BenchOptions& options, BenchR
   {
     add("texels from line to line", texels, Maker::Own, MakeStripes(DefaultLines, texels));
   }
-  trials.Run(question, options, rows);
+  trials.Run(question, options, rows, ClockOf(stage.GetWindow()));
 }
 }
 
