@@ -20,17 +20,17 @@
 struct INTERLUMETETRAHEDRA_EXPORT vtkTetrahedraReport
 {
   /// What was used: vtkTetrahedraSettings::RenderPaths, BlendModes, SortModes, each
-  /// resolved from its automatic choice, and why.
+  /// resolved from its automatic choice, and the shader that made silhouettes with the OpenGL path,
+  /// of SilhouetteShaders; 0 with the other.
   int RenderPath = 0;
   int BlendMode = 0;
   int SortMode = 0;
-  std::string PathReason;
-  /// The shader that made silhouettes, of vtkTetrahedraSettings::SilhouetteShaders, with the OpenGL
-  /// path, and why; 0 and nothing with the other.
   int SilhouetteShader = 0;
-  std::string ShaderReason;
+  /// Why each of them.
+  std::string PathReason;
   std::string BlendReason;
   std::string SortReason;
+  std::string ShaderReason;
   /// The names of the parts of shader or kernel that ran, separated by spaces, such as `scalars
   /// perspective composite`; `delta-t` and `surface` are among them only when they are used.
   std::string Features;

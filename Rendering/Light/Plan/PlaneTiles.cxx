@@ -72,7 +72,7 @@ public:
 private:
   std::size_t GetIndex(int word, int row) const
   {
-    return static_cast<std::size_t>(row * this->Words + word);
+    return static_cast<std::size_t>(row) * this->Words + word;
   }
 
   // Returns the first column from one on that has a tile, or has none; else the row's end.
@@ -395,8 +395,8 @@ bool PlaneTiles::Build(const SlicePlan::Sweep& sweep, const glm::dmat4& clipFrom
           TileMask& mask = masks[static_cast<std::size_t>(i)];
           for (const Rectangle& rectangle : MakeRectangles(mask))
           {
-            AddRectangle(
-              viewer, rectangle, firstSlab + i, parts[static_cast<std::size_t>(firstSlab + i)]);
+            const std::size_t slab = static_cast<std::size_t>(firstSlab) + i;
+            AddRectangle(viewer, rectangle, firstSlab + i, parts[slab]);
           }
           mask.Clear();
         }
