@@ -176,8 +176,33 @@ void CheckBlocks(const Case& volume, int edge, Check& check)
   check.Equal(blocks.GetNumberVisible(), visible, "visible blocks");
 }
 
+/// Blocks that are joined of small ones are those that are found from the samples.
+void CheckJoined(const Case& volume, Check& check)
+{
+  check.SetContext(volume.Name + ", joined blocks");
+  interlume::VolumeSamples samples;
+  check.That(samples.Build(MakeArray(volume), volume.Samples, false).empty(), "samples");
+  interlume::MaterialTable material;
+  check.That(material.Build(MakeProperty(volume), samples, nullptr).empty(), "materials");
+  interlume::VolumeBlocks small;
+  small.Build(samples, interlume::VolumeBlocks::SmallSize);
+  interlume::VolumeBlocks joined;
+  joined.Join(small);
+  joined.Classify(material);
+  interlume::VolumeBlocks built;
+  built.Build(samples);
+  built.Classify(material);
+  check.That(joined.GetSize() == built.GetSize(), "blocks");
+  check.That(joined.GetVisible() == built.GetVisible(), "visible blocks");
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    check.That(joined.GetBorders(axis) == built.GetBorders(axis), "borders");
+  }
+}
+
 void CheckCase(const Case& volume, Check& check)
 {
+  CheckJoined(volume, check);
   CheckBlocks(volume, interlume::VolumeBlocks::BlockSize, check);
   CheckBlocks(volume, interlume::VolumeBlocks::SmallSize, check);
 }

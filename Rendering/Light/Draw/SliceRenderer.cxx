@@ -120,11 +120,15 @@ std::string SliceRenderer::UpdateSamples(const Request& request, bool isSoftware
   std::string error = this->Frame.Samples.Build(request.Scalars, size, isSoftware);
   if (error.empty())
   {
-    this->Frame.Blocks.Build(this->Frame.Samples);
     this->Frame.SmallBlocks = VolumeBlocks();
     if (isSoftware)
     {
       this->Frame.SmallBlocks.Build(this->Frame.Samples, VolumeBlocks::SmallSize);
+      this->Frame.Blocks.Join(this->Frame.SmallBlocks);
+    }
+    else
+    {
+      this->Frame.Blocks.Build(this->Frame.Samples);
     }
     this->Scalars = request.Scalars;
     this->SamplesTime = time;

@@ -70,23 +70,27 @@ void FindRanges(const VolumeSamples& samples, const Box& box, std::array<double,
 }
 }
 
-void VolumeBlocks::Build(const VolumeSamples& samples, int cells)
+void VolumeBlocks::SetSize(const std::array<int, 3>& samples, int components, int cells)
 {
   this->Cells = cells;
-  this->Samples = samples.Size;
-  this->Components = samples.Components;
+  this->Samples = samples;
+  this->Components = components;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const int all = std::max(samples.Size[axis] - 1, 1);
-    this->Size[axis] = samples.Components > 0 ? (all + cells - 1) / cells : 0;
+    const int all = std::max(samples[axis] - 1, 1);
+    this->Size[axis] = components > 0 ? (all + cells - 1) / cells : 0;
   }
   const int blocks = this->GetNumberOfBlocks();
   this->Ranges.assign(
     static_cast<std::size_t>(blocks) * static_cast<std::size_t>(this->Components), {});
   this->Visible.assign(static_cast<std::size_t>(blocks), 0);
   this->NumberVisible = 0;
+}
 
-  vtkSMPTools::For(0, blocks, 1,
+void VolumeBlocks::Build(const VolumeSamples& samples, int cells)
+{
+  this->SetSize(samples.Size, samples.Components, cells);
+  vtkSMPTools::For(0, this->GetNumberOfBlocks(), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType block = begin; block < end; ++block)
@@ -100,9 +104,7 @@ void VolumeBlocks::Build(const VolumeSamples& samples, int cells)
           box.First[axis] = std::max(first - 1, 0);
           box.Last[axis] = std::min(first + cells + 1, this->Samples[axis] - 1);
         }
-        std::array<double, 2>* ranges =
-          &this
-             ->Ranges[static_cast<std::size_t>(block) * static_cast<std::size_t>(this->Components)];
+        std::array<double, 2>* ranges = this->GetRanges(static_cast<int>(block));
         switch (samples.Format)
         {
           case VolumeSamples::UNORM8:
@@ -117,6 +119,32 @@ void VolumeBlocks::Build(const VolumeSamples& samples, int cells)
         }
       }
     });
+}
+
+void VolumeBlocks::Join(const VolumeBlocks& small)
+{
+  this->SetSize(small.Samples, small.Components, 2 * small.Cells);
+  // Nothing has been found yet: the range of no samples.
+  std::fill(this->Ranges.begin(), this->Ranges.end(), std::array<double, 2>{ { 1.0, 0.0 } });
+  const auto components = static_cast<std::size_t>(this->Components);
+  for (int block = 0; block < small.GetNumberOfBlocks(); ++block)
+  {
+    const std::array<int, 3> place{ { block % small.Size[0], block / small.Size[0] % small.Size[1],
+      block / small.Size[0] / small.Size[1] } };
+    std::array<double, 2>* ranges = this->GetRanges(
+      place[0] / 2 + this->Size[0] * (place[1] / 2 + this->Size[1] * (place[2] / 2)));
+    for (std::size_t c = 0; c < components; ++c)
+    {
+      const std::array<double, 2>& other =
+        small.Ranges[static_cast<std::size_t>(block) * components + c];
+      const bool isEmpty = ranges[c][0] > ranges[c][1];
+      if (other[0] <= other[1])
+      {
+        ranges[c] = { { isEmpty ? other[0] : std::min(ranges[c][0], other[0]),
+          isEmpty ? other[1] : std::max(ranges[c][1], other[1]) } };
+      }
+    }
+  }
 }
 
 void VolumeBlocks::Classify(const MaterialTable& material)

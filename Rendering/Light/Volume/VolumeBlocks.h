@@ -24,10 +24,14 @@ class VolumeBlocks
 public:
   /// The number of cells of a block along an axis, and of a small one.
   static constexpr int BlockSize = 16;
-  static constexpr int SmallSize = 8;
+  static constexpr int SmallSize = BlockSize / 2;
 
   /// Finds the ranges of blocks of \a cells along each axis, with several threads.
   void Build(const VolumeSamples& samples, int cells = BlockSize);
+
+  /// Takes the ranges of blocks of twice as many cells along each axis from those of \a small ones,
+  /// which gives what Build() finds.
+  void Join(const VolumeBlocks& small);
 
   /// Marks the blocks whose range has an extinction above 0 somewhere.
   void Classify(const MaterialTable& material);
@@ -46,6 +50,14 @@ public:
   std::vector<double> GetBorders(int axis) const;
 
 private:
+  /// Sets the numbers of blocks, without ranges.
+  void SetSize(const std::array<int, 3>& samples, int components, int cells);
+  std::array<double, 2>* GetRanges(int block)
+  {
+    return &this->Ranges[static_cast<std::size_t>(block) *
+      static_cast<std::size_t>(this->Components)];
+  }
+
   int Cells = BlockSize;
   std::array<int, 3> Size{ { 0, 0, 0 } };
   std::array<int, 3> Samples{ { 0, 0, 0 } };
