@@ -158,14 +158,13 @@ double LightFit::GetVoxelSpacing(const glm::dvec3& direction, double extent) con
   double spacing = std::numeric_limits<double>::max();
   for (const SlicePlan::Matter& volume : this->Matter)
   {
-    const glm::dvec3 along = TransformVector(volume.Space->TextureFromUnit, direction);
-    glm::dvec3 texels(0.0);
+    glm::dvec3 texels = volume.Space->GetTexels(direction);
     for (int axis = 0; axis < 3; ++axis)
     {
       const std::array<double, 2>& range = volume.Box[axis];
-      const bool isSeen =
-        LargestAutomatic * (range[1] - range[0]) >= std::abs(along[axis]) * extent;
-      texels[axis] = isSeen ? along[axis] * volume.Space->Size[axis] : 0.0;
+      const double thickness = (range[1] - range[0]) * volume.Space->Size[axis];
+      const bool isSeen = LargestAutomatic * thickness >= std::abs(texels[axis]) * extent;
+      texels[axis] = isSeen ? texels[axis] : 0.0;
     }
     spacing = std::min(spacing, 1.0 / Vectors::SafeLength(texels));
   }

@@ -278,12 +278,7 @@ void SlicePlan::Make(const Eye& eye, const std::vector<LightSource>& lights,
 
 double SlicePlan::GetVoxelSpacing(const UnitSpace& space, const glm::dvec3& normal)
 {
-  glm::dvec3 texels = TransformVector(space.TextureFromUnit, normal);
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    texels[axis] *= space.Size[axis];
-  }
-  return 1.0 / Vectors::SafeLength(texels);
+  return 1.0 / Vectors::SafeLength(space.GetTexels(normal));
 }
 
 double SlicePlan::GetSpacing(const Matter& matter, const glm::dvec3& normal,

@@ -166,6 +166,12 @@ std::array<double, 3> UnitSpace::GetMargins(double margin) const
   return margins;
 }
 
+glm::dvec3 UnitSpace::GetTexels(const glm::dvec3& vector) const
+{
+  return UnitVector::TransformVector(this->TextureFromUnit, vector) *
+    glm::dvec3(this->Size[0], this->Size[1], this->Size[2]);
+}
+
 glm::dvec3 UnitSpace::ToUnit(const double world[3]) const
 {
   return (glm::make_vec3(world) - this->Center) / this->Radius;

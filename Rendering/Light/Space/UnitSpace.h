@@ -42,6 +42,9 @@ public:
   /// across their faces.
   std::array<double, 3> GetMargins(double margin) const;
 
+  /// Returns the texels along each axis that a vector in unit space passes.
+  glm::dvec3 GetTexels(const glm::dvec3& vector) const;
+
   glm::dvec3 ToUnit(const double world[3]) const;
   glm::dmat4 GetWorldFromUnit() const;
   glm::dmat4 GetUnitFromWorld() const;
