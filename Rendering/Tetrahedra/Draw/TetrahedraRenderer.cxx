@@ -371,6 +371,8 @@ void TetrahedraRenderer::DrawFrame(
     {
       report.RenderPath = Settings::SOFTWARE_PATH;
       report.PathReason = fault;
+      report.SilhouetteShader = 0;
+      report.ShaderReason.clear();
     }
   }
   if (report.RenderPath == Settings::SOFTWARE_PATH)
