@@ -94,12 +94,16 @@ void CheckAnswers()
   Expect(plot.DefaultPoint.X.empty(), "a default that is not there");
 }
 
+approximations::Question MakeQuestion()
+{
+  return { "made-up", "Made up", "Is it right?", "Made up.", "run time (s)", "error" };
+}
+
 /// What the rows of a question say of its plot.
 void CheckRows()
 {
   using namespace approximations;
-  const Question question = { "made-up", "Made up", "Is it right?", "Made up.", "run time (s)",
-    "error" };
+  const Question question = MakeQuestion();
   Trials trials;
   trials.SetSize("cells along an edge", 8);
   int runs = 0;
@@ -136,8 +140,7 @@ void CheckRows()
 void CheckClocks()
 {
   using namespace approximations;
-  const Question question = { "made-up", "Made up", "Is it right?", "Made up.", "run time (s)",
-    "error" };
+  const Question question = MakeQuestion();
   Trials trials;
   trials.SetSize("cells along an edge", 8);
   const auto wait = []()

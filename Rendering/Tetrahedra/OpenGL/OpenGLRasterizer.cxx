@@ -66,11 +66,9 @@ constexpr std::array<std::uint16_t, 6> STRIP = { { 0, 1, 2, 2, 1, 3 } };
 /// Returns a shader with those features that makes silhouettes.
 std::string MakeSilhouetteShader(const char* shader, const std::string& features)
 {
-  static const std::string mark = "//INTERLUME::SILHOUETTE";
-  std::string source = shader;
-  const std::size_t place = source.find(mark);
-  source.replace(place, mark.size(), InterlumeSilhouette);
-  return vtkShaderFeatures::Insert(source, features);
+  std::string source = vtkShaderFeatures::Insert(shader, features);
+  vtkShaderProgram::Substitute(source, "//INTERLUME::SILHOUETTE", InterlumeSilhouette);
+  return source;
 }
 
 bool IsDepthSum(const TetrahedraFrame& frame)
