@@ -221,7 +221,7 @@ std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
     BenchClaim::AtMost(
       "bonsai: shadows of one light take at most 1.5 times", 1.5, rows, OverOff(1)),
     BenchClaim::AtMost(
-      "bonsai: each further light takes at most 1.35 times", 1.35, rows, OverFurtherLight),
+      "bonsai: each further light takes at most 1.3 times", 1.3, rows, OverFurtherLight),
     BenchClaim::AtMost("no light with shadows: at most 1.05 times the time without lights", 1.05,
       rows, overNoLights),
     BenchClaim::AtMost("one buffer of floats for each light, bytes", 1.0, rows, OverOneBuffer),

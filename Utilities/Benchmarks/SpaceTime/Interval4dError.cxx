@@ -30,6 +30,7 @@ namespace
 const char* const DifferenceNorm = "symmetric difference, share of the volume";
 const char* const VolumeNorm = "volume, relative";
 const char* const Slice = "slice";
+const char* const SliceAgain = "slice-again";
 const char* const Interpolate = "interpolate";
 const char* const Sampled = "sampled";
 
@@ -224,7 +225,7 @@ void AddSliceAgainRow(const Film& film, const BenchOptions& options, BenchRows& 
     MeasureAlternately({ WithThreads(1, [&]() { return SliceOf(simplices, time); }),
                          WithThreads(1, [&]() { return MakeInterpolated(film, 0); }) },
       options.GetRepeats());
-  BenchRow row = rows.Make(film.Field.Name, "slice-again");
+  BenchRow row = rows.Make(film.Field.Name, SliceAgain);
   row.Seconds = seconds[0];
   row.Peer = Interpolate;
   row.PeerSeconds = seconds[1];
@@ -288,9 +289,14 @@ std::vector<BenchClaim> CheckErrorClaims(const std::vector<BenchRow>& rows)
 {
   const auto linear = [](const BenchRow& row)
   { return row.Case == "linear" && row.Method == Slice ? row.Error : std::nullopt; };
+  const auto again = [](const BenchRow& row)
+  { return row.Method == SliceAgain ? row.GetRatio() : std::nullopt; };
   return { BenchClaim::AtLeast("slice: error falls with the time step to the power of at least 1.7",
              1.7, rows, CountOf(Slice, "order")),
-    BenchClaim::AtMost("slice of a linear field: no error but rounding", 1e-12, rows, linear) };
+    BenchClaim::AtMost("slice of a linear field: no error but rounding", 1e-12, rows, linear),
+    BenchClaim::AtLeast("a slice of 4-simplices that are there: at most 5 times slower than "
+                        "interpolating first",
+      0.2, rows, again) };
 }
 
 std::vector<BenchPlot> MakeErrorPlots(const std::vector<BenchRow>& rows)

@@ -50,6 +50,11 @@ const RenderMode& GetUnsortedMode()
   return AllRenderModes()[1];
 }
 
+const RenderMode& GetCentroidMode()
+{
+  return AllRenderModes()[2];
+}
+
 vtkSmartPointer<Mapper> NewMapper(
   vtkUnstructuredGrid* grid, const RenderPath& path, const RenderMode& mode)
 {

@@ -38,9 +38,10 @@ struct RenderMode
   bool OfLargest;
 };
 const std::vector<RenderMode>& AllRenderModes();
-/// The mode with every default of the mapper, and the same without a sort.
+/// The mode with every default of the mapper, the same without a sort, and with that by centroids.
 const RenderMode& GetDefaultMode();
 const RenderMode& GetUnsortedMode();
+const RenderMode& GetCentroidMode();
 
 /// A mapper with that path and mode, without level of detail.
 vtkSmartPointer<vtkTimeWeightedTetrahedraMapper> NewMapper(
