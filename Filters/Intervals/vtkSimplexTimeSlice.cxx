@@ -175,7 +175,11 @@ int vtkSimplexTimeSlice::RequestData(
   context.Values = &values;
   context.Input = input;
   context.Scalars = times;
-  context.KeepCellIds = input->GetCellData()->GetNumberOfArrays() > 0;
+  vtkNew<vtkCellData> cellData;
+  cellData->ShallowCopy(input->GetCellData());
+  // It tells of 4-simplices, not of tetrahedra.
+  cellData->RemoveArray("AtStep");
+  context.KeepCellIds = cellData->GetNumberOfArrays() > 0;
   context.CellGhosts = input->GetCellGhostArray();
   context.PointGhosts = input->GetPointGhostArray();
   interlume::SimplexSlicer::Slice slice;
@@ -201,10 +205,8 @@ int vtkSimplexTimeSlice::RequestData(
     input->GetPointData(), slice.Points, output->GetPointData());
   FillTime(output->GetPointData(), output->GetNumberOfPoints(), time);
   this->UpdateProgress(0.95);
-  interlume::ExtractionArrays::CopyCellData(input->GetCellData(), slice.CellIds.GetData(),
+  interlume::ExtractionArrays::CopyCellData(cellData, slice.CellIds.GetData(),
     static_cast<vtkIdType>(slice.CellIds.GetSize()), output->GetCellData());
-  // It tells of 4-simplices, not of tetrahedra.
-  output->GetCellData()->RemoveArray("AtStep");
   this->Empty->Add(input, nullptr, output->GetNumberOfCells());
   this->Report.Tetrahedra += output->GetNumberOfCells();
   if (this->FollowTime &&

@@ -183,15 +183,23 @@ struct CopyWorker
   void operator()(Array* in, vtkDataArray* base) const
   {
     Array* out = Array::FastDownCast(base);
+    // A known number of components needs no loop.
+    in->GetNumberOfComponents() == 1 ? this->Run<1>(in, out) : this->Run<0>(in, out);
+  }
+
+private:
+  template <int Known, typename Array>
+  void Run(Array* in, Array* out) const
+  {
     const auto from = vtk::DataArrayValueRange(in);
     auto to = vtk::DataArrayValueRange(out);
-    const vtkIdType components = in->GetNumberOfComponents();
+    const vtkIdType components = Known ? Known : in->GetNumberOfComponents();
     vtkSMPTools::For(0, this->Number, ThreadGrain,
       [&](vtkIdType first, vtkIdType last)
       {
         for (vtkIdType i = first; i < last; ++i)
         {
-          for (vtkIdType c = 0; c < components; ++c)
+          for (vtkIdType c = 0; c < (Known ? Known : components); ++c)
           {
             to[i * components + c] = from[this->Cells[i] * components + c];
           }
