@@ -81,6 +81,10 @@ struct AdvectionOptions;
  * in world units per unit of time. What the field damps within a cell does not add up from step to
  * step; such a part of the error, in stiff fields, counts by what is left of it.
  *
+ * **Sizes.** Fields, surfaces and samples may have any size from 1e-160 to 1e160, with any speeds
+ * whose times through the field are from 1e-280 to 1e280: answers are those at size 1 but for
+ * rounding. Beyond that, numbers underflow, and streamlines may end too early.
+ *
  * **Pieces.** A sample needs all of the field that its streamline meets: of port 0 the whole is
  * asked for, whatever the piece; samples are those of the piece.
  *

@@ -2,16 +2,19 @@
 // Termination surfaces of any size, far away and seen from far away, as distances and as they are
 // drawn, and settings that no surface has.
 #include "StabilityChecks.h"
+#include "StabilityShapes.h"
 
 #include "Flows/ReferenceFlowAnswers.h"
 #include "Reference/Flow/ReferenceTerminationMesh.h"
 
+#include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTerminationBox.h"
 #include "vtkTerminationCylinder.h"
@@ -23,11 +26,8 @@
 #include "vtkTerminationTube.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <vector>
 
 namespace
 {
@@ -37,9 +37,9 @@ using namespace stability;
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-const double Pi = vtkMath::Pi();
 
-double MeasureTriangles(vtkPolyData* data)
+/// The area, in squares of \a size.
+double MeasureTriangles(vtkPolyData* data, double size)
 {
   double sum = data->GetNumberOfPolys() > 0 ? 0.0 : NaN;
   vtkNew<vtkIdList> ids;
@@ -52,7 +52,7 @@ double MeasureTriangles(vtkPolyData* data)
       data->GetPoint(ids->GetId(c), corners[c]);
       for (int axis = 0; axis < 3 && c > 0; ++axis)
       {
-        corners[c][axis] -= corners[0][axis];
+        corners[c][axis] = (corners[c][axis] - corners[0][axis]) / size;
       }
     }
     double cross[3];
@@ -62,82 +62,11 @@ double MeasureTriangles(vtkPolyData* data)
   return sum;
 }
 
-/// A surface of size 1 times \a size, moved to \a middle along x, its area at size 1, and what is
-/// known of its distance: a place at size 1 and the distance there.
-struct Shape
-{
-  std::function<vtkSmartPointer<vtkTerminationSurface>(double size, double middle)> Make;
-  double Area;
-  double AreaBound;
-  std::array<double, 3> Place;
-  double Distance;
-};
-
-std::vector<Shape> MakeShapes()
-{
-  return {
-    { [](double size, double middle)
-      {
-        auto plane = vtkSmartPointer<vtkTerminationPlane>::New();
-        plane->SetOrigin(middle, 0.0, 0.0);
-        plane->SetPoint1(middle + 2.0 * size, 0.0, 0.0);
-        plane->SetPoint2(middle, 3.0 * size, 0.0);
-        return vtkSmartPointer<vtkTerminationSurface>(plane);
-      },
-      6.0, 1e-12, { { 1.0, 1.0, 0.75 } }, 0.75 },
-    { [](double size, double middle)
-      {
-        auto sphere = vtkSmartPointer<vtkTerminationSphere>::New();
-        sphere->SetCenter(middle, 0.0, 0.0);
-        sphere->SetRadius(size);
-        return vtkSmartPointer<vtkTerminationSurface>(sphere);
-      },
-      4.0 * Pi, 0.005, { { 0.0, 3.0, 4.0 } }, 4.0 },
-    { [](double size, double middle)
-      {
-        auto box = vtkSmartPointer<vtkTerminationBox>::New();
-        box->SetBounds(middle, middle + size, 0.0, 2.0 * size, 0.0, 3.0 * size);
-        return vtkSmartPointer<vtkTerminationSurface>(box);
-      },
-      22.0, 1e-12, { { 0.5, 1.0, 5.0 } }, 2.0 },
-    { [](double size, double middle)
-      {
-        auto cylinder = vtkSmartPointer<vtkTerminationCylinder>::New();
-        cylinder->SetPoint1(middle, 0.0, 0.0);
-        cylinder->SetPoint2(middle, 0.0, 2.0 * size);
-        cylinder->SetRadius(size);
-        return vtkSmartPointer<vtkTerminationSurface>(cylinder);
-      },
-      4.0 * Pi, 0.005, { { 0.0, 3.0, 1.0 } }, 2.0 },
-    { [](double size, double middle)
-      {
-        auto tube = vtkSmartPointer<vtkTerminationTube>::New();
-        tube->AddPoint(middle, 0.0, 0.0);
-        tube->AddPoint(middle, 2.0 * size, 0.0);
-        tube->SetRadius(size);
-        return vtkSmartPointer<vtkTerminationSurface>(tube);
-      },
-      4.0 * Pi, 0.005, { { 0.0, 1.0, 3.0 } }, 2.0 },
-    { [](double size, double middle)
-      {
-        TexturedMesh square;
-        square.Points = { { { middle, 0, 0 } }, { { middle + size, 0, 0 } },
-          { { middle + size, size, 0 } }, { { middle, size, 0 } } };
-        square.Texture = { { { 0.0, 0.0 } }, { { 1.0, 0.0 } }, { { 1.0, 1.0 } }, { { 0.0, 1.0 } } };
-        square.Triangles = { { { 0, 1, 2 } }, { { 0, 2, 3 } } };
-        auto mesh = vtkSmartPointer<vtkTerminationMesh>::New();
-        mesh->SetMesh(square.MakeData());
-        return vtkSmartPointer<vtkTerminationSurface>(mesh);
-      },
-      1.0, 1e-9, { { 0.25, 0.5, 2.0 } }, 2.0 },
-  };
-}
-
 void TestShapes(StabilityCatalogue& catalogue)
 {
   for (const Shape& shape : MakeShapes())
   {
-    for (const double size : { 1e-30, 1e-6, 1e6, 1e30 })
+    for (const double size : { 1e-160, 1e-100, 1e-30, 1e-6, 1e6, 1e30, 1e100, 1e160 })
     {
       for (const double offset : { 0.0, 1e6 })
       {
@@ -154,8 +83,7 @@ void TestShapes(StabilityCatalogue& catalogue)
         source->Update();
         const double rounding = offset > 0.0 ? 1e-9 : 1e-12;
         catalogue.Measure(name + "-area", extreme, "relative error of the area as drawn" + wrong,
-          wrong.empty() ? MeasureTriangles(source->GetOutput()) / size / size / shape.Area - 1.0
-                        : NaN,
+          wrong.empty() ? MeasureTriangles(source->GetOutput(), size) / shape.Area - 1.0 : NaN,
           std::max(shape.AreaBound, rounding));
         const double x[3] = { (shape.Place[0] + offset) * size, shape.Place[1] * size,
           shape.Place[2] * size };
@@ -163,6 +91,38 @@ void TestShapes(StabilityCatalogue& catalogue)
           std::abs(surface->EvaluateDistance(x)) / size / shape.Distance - 1.0, rounding);
       }
     }
+  }
+}
+
+/// A mesh of one polygon, which VTK cuts into triangles.
+void TestPolygons(StabilityCatalogue& catalogue)
+{
+  for (const double size : { 1e-160, 1e-100, 1e-30, 1e30, 1e100, 1e160 })
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    vtkNew<vtkDoubleArray> texture;
+    texture->SetNumberOfComponents(2);
+    const double corners[5][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0.4, 0.3 }, { 0, 1 } };
+    for (const double* corner : corners)
+    {
+      points->InsertNextPoint(corner[0] * size, corner[1] * size, 0.0);
+      texture->InsertNextTuple(corner);
+    }
+    vtkNew<vtkCellArray> polygon;
+    polygon->InsertNextCell({ 0, 1, 2, 3, 4 });
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points);
+    data->SetPolys(polygon);
+    data->GetPointData()->SetTCoords(texture);
+    vtkNew<vtkTerminationMesh> mesh;
+    mesh->SetMesh(data);
+    catalogue.SetClass(mesh->GetClassName());
+    const std::string wrong = mesh->Update();
+    const double x[3] = { 0.7 * size, 0.2 * size, 2.0 * size };
+    catalogue.Measure("polygon-" + Short(size), "a concave polygon of size " + Short(size),
+      "relative error of the distance of a place" + wrong,
+      std::abs(mesh->EvaluateDistance(x)) / size / 2.0 - 1.0, 1e-12);
   }
 }
 
@@ -292,6 +252,7 @@ int TestStabilityTermination(int argc, char* argv[])
 {
   StabilityCatalogue catalogue("TestStabilityTermination", argc, argv);
   TestShapes(catalogue);
+  TestPolygons(catalogue);
   TestSettings(catalogue);
   TestInflow(catalogue);
   return catalogue.GetExitCode();

@@ -16,6 +16,7 @@
 #include "Advection/SurfaceCrossing.h"
 #include "Cells/CellExit.h"
 #include "Cells/FaceExtent.h"
+#include "Cells/MultilinearCell.h"
 #include "Common/Vectors.h"
 #include "Numerics/DenseOutput.h"
 
@@ -602,7 +603,10 @@ private:
     }
     // The relative change of the rate per unit of time, taken as if the error were made of its
     // powers.
-    const double bend = this->GetWorldLength(this->Point, change) / probe / this->Speed;
+    // At a speed of about 1, so that none of the quotients overflows.
+    const double scale = MultilinearCell::GetScale(this->Speed);
+    const double bend =
+      scale * this->GetWorldLength(this->Point, change) / probe / (scale * this->Speed);
     const double scaled = std::pow(largestError / this->Speed, 1.0 / order);
     return bend * step > scaled ? scaled / bend : (bend >= 0.0 ? step : probe);
   }
@@ -627,6 +631,12 @@ private:
     {
       double axis[3];
       this->Field.GetWorldVector(this->Point, direction, axis);
+      // At a length of about 1, so that its square is a number.
+      const double scale = MultilinearCell::GetScale(Vectors::InfinityNorm(glm::make_vec3(axis)));
+      for (double& component : axis)
+      {
+        component *= scale;
+      }
       const double part = Vectors::Dot(error, axis) / Vectors::Dot(axis, axis);
       const double lost = 1.0 - (1.0 + damping) / (1.0 + damping * (time / h));
       for (int i = 0; i < 3; ++i)

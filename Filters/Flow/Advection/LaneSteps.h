@@ -221,14 +221,17 @@ private:
     this->Walker.GetWorldVector(this->Error, error);
     Lanes direction[3];
     Lanes rates[3];
+    // Rates by themselves may have no square.
+    Lanes ways[3];
     for (int i = 0; i < 3; ++i)
     {
       direction[i] = this->End[i] - this->SixthPlace[i];
       rates[i] = this->EndRate[i] - this->K6[i];
+      ways[i] = h * rates[i];
     }
     const Lanes square = Dot(direction, direction);
     constexpr double most = 0.99 * StiffnessTest::LeastStiff * StiffnessTest::LeastStiff;
-    isOrdinary &= h * h * Dot(rates, rates) <= most * square;
+    isOrdinary &= Dot(ways, ways) <= most * square;
     const Lanes damping = Lanes::Select(square > std::numeric_limits<double>::min(),
       -h * (Dot(direction, rates) / square), Lanes::Of(0.0));
     const Lanes time = Lanes::Min(1.0 / fastest, this->Time + h);
@@ -237,7 +240,9 @@ private:
     {
       Lanes axis[3];
       this->Walker.GetWorldVector(direction, axis);
-      const Lanes part = Dot(error, axis) / Dot(axis, axis);
+      const Lanes squaredAxis = Dot(axis, axis);
+      isOrdinary &= IsOrdinary(squaredAxis) | ~isDamped;
+      const Lanes part = Dot(error, axis) / squaredAxis;
       const Lanes lost = 1.0 - (damping + 1.0) / (damping * (time / h) + 1.0);
       for (int i = 0; i < 3; ++i)
       {
@@ -245,7 +250,9 @@ private:
       }
     }
     const Lanes length = Dot(error, error);
-    isOrdinary &= IsOrdinary(length) | (length == Lanes::Of(0.0));
+    const Lanes largest =
+      Lanes::Max(Lanes::Abs(error[0]), Lanes::Max(Lanes::Abs(error[1]), Lanes::Abs(error[2])));
+    isOrdinary &= IsOrdinary(length) | (largest == Lanes::Of(0.0));
     return Lanes::Sqrt(length);
   }
 

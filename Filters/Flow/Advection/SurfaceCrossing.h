@@ -106,7 +106,8 @@ public:
     constexpr double from = 1.0 - 3.0 * Margin;
     const double before = distance(from);
     const double after = distance(1.0);
-    if (!(before * after < 0.0))
+    // Their product may be no number.
+    if (!(before < 0.0 ? after > 0.0 : before > 0.0 && after < 0.0))
     {
       return None;
     }

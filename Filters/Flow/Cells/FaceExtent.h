@@ -2,7 +2,8 @@
 #ifndef interlume_FaceExtent_h
 #define interlume_FaceExtent_h
 
-#include "vtkMath.h"
+#include "Cells/MultilinearCell.h"
+#include "Common/Vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,33 +37,32 @@ struct FaceExtent
     double longest = 0.0;
     for (int i = 0; i < number; ++i)
     {
-      longest =
-        std::max(longest, vtkMath::Distance2BetweenPoints(corners[i], corners[(i + 1) % number]));
+      longest = std::max(
+        longest, Vectors::SafeLength(Vectors::Difference(corners[i], corners[(i + 1) % number])));
     }
-    // The diagonals of a quadrilateral, two edges of a triangle.
-    double across[2][3];
-    vtkMath::Subtract(corners[2], corners[0], across[0]);
-    vtkMath::Subtract(corners[number - 1], corners[1], across[1]);
-    vtkMath::Cross(across[0], across[1], extent.Normal);
-    const double area = vtkMath::Normalize(extent.Normal) * (number == 4 ? 0.5 : 1.0);
+    // The diagonals of a quadrilateral, two edges of a triangle, at a length of about 1, so that
+    // the square of their product is a number.
+    const double scale = MultilinearCell::GetScale(longest);
+    const glm::dvec3 product = glm::cross(scale * Vectors::Difference(corners[2], corners[0]),
+      scale * Vectors::Difference(corners[number - 1], corners[1]));
+    const double length = glm::length(product);
+    for (int axis = 0; axis < 3 && length > 0.0; ++axis)
+    {
+      extent.Normal[axis] = product[axis] / length;
+    }
+    const double area = length * (number == 4 ? 0.5 : 1.0);
     double height = 0.0;
     for (int i = 0; i < size; ++i)
     {
-      double above[3];
-      vtkMath::Subtract(cell[i], corners[0], above);
-      height = std::max(height, std::abs(vtkMath::Dot(above, extent.Normal)));
+      const glm::dvec3 above = Vectors::Difference(cell[i], corners[0]);
+      height = std::max(height, std::abs(glm::dot(above, glm::make_vec3(extent.Normal))));
     }
-    extent.Width = longest > 0.0 ? std::min(area / std::sqrt(longest), height) : 0.0;
+    extent.Width = longest > 0.0 ? std::min(area / (scale * longest) / scale, height) : 0.0;
     if (number == 4)
     {
-      double squared = 0.0;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        const double bend =
-          (corners[0][axis] - corners[1][axis]) + (corners[2][axis] - corners[3][axis]);
-        squared += bend * bend;
-      }
-      extent.Bend = 0.25 * std::sqrt(squared);
+      extent.Bend = 0.25 *
+        Vectors::SafeLength(Vectors::Difference(corners[0], corners[1]) +
+          Vectors::Difference(corners[2], corners[3]));
     }
     return extent;
   }

@@ -1,11 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/InverseJacobian.h"
 
+#include "Cells/MultilinearCell.h"
+
 #include <cmath>
 #include <utility>
 
 namespace interlume
 {
+
+// Each column is brought to a length of about 1 by a power of 2, which changes no digit.
+void InverseJacobian::InvertOther(const double columns[3][4], double inverse[3][3])
+{
+  double scaled[3][4];
+  double scales[3];
+  for (int j = 0; j < 3; ++j)
+  {
+    scales[j] = MultilinearCell::GetScale(Vectors::InfinityNorm(glm::make_vec3(columns[j])));
+    for (int i = 0; i < 3; ++i)
+    {
+      scaled[j][i] = scales[j] * columns[j][i];
+    }
+    scaled[j][3] = 0.0;
+  }
+  if (!InvertRegular(scaled, inverse))
+  {
+    InvertSingular(columns, inverse);
+    return;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      inverse[i][j] *= scales[i];
+    }
+  }
+}
 
 // Gram and Schmidt's method on columns of length 1, the most independent first; R of Q R is then
 // solved backward.

@@ -20,26 +20,9 @@ class InverseJacobian
 public:
   static void Invert(const double columns[3][4], double inverse[3][3])
   {
-    const glm::dvec3 a = glm::make_vec3(columns[0]);
-    const glm::dvec3 b = glm::make_vec3(columns[1]);
-    const glm::dvec3 c = glm::make_vec3(columns[2]);
-    const glm::dvec3 rows[3] = { glm::cross(b, c), glm::cross(c, a), glm::cross(a, b) };
-    const double determinant = glm::dot(a, rows[0]);
-    // The scale is made of the lengths of the columns: cells may be flat and small as long as they
-    // are not sheared into a plane.
-    const double scale = glm::dot(a, a) * glm::dot(b, b) * glm::dot(c, c);
-    if (!(determinant * determinant > 1e-18 * scale && scale < 1e300))
+    if (!InvertRegular(columns, inverse))
     {
-      InvertSingular(columns, inverse);
-      return;
-    }
-    const double factor = 1.0 / determinant;
-    for (int i = 0; i < 3; ++i)
-    {
-      for (int j = 0; j < 3; ++j)
-      {
-        inverse[i][j] = rows[i][j] * factor;
-      }
+      InvertOther(columns, inverse);
     }
   }
 
@@ -63,6 +46,33 @@ public:
   }
 
 private:
+  /// Returns false where columns are dependent, or so long or short that their squares are no
+  /// numbers.
+  static bool InvertRegular(const double columns[3][4], double inverse[3][3])
+  {
+    const glm::dvec3 a = glm::make_vec3(columns[0]);
+    const glm::dvec3 b = glm::make_vec3(columns[1]);
+    const glm::dvec3 c = glm::make_vec3(columns[2]);
+    const glm::dvec3 rows[3] = { glm::cross(b, c), glm::cross(c, a), glm::cross(a, b) };
+    const double determinant = glm::dot(a, rows[0]);
+    // The scale is made of the lengths of the columns: cells may be flat and small as long as they
+    // are not sheared into a plane.
+    const double scale = glm::dot(a, a) * glm::dot(b, b) * glm::dot(c, c);
+    if (!(determinant * determinant > 1e-18 * scale && scale < 1e300))
+    {
+      return false;
+    }
+    const double factor = 1.0 / determinant;
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int j = 0; j < 3; ++j)
+      {
+        inverse[i][j] = rows[i][j] * factor;
+      }
+    }
+    return true;
+  }
+  static void InvertOther(const double columns[3][4], double inverse[3][3]);
   static void InvertSingular(const double columns[3][4], double inverse[3][3]);
 };
 

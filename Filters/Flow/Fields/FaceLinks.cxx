@@ -2,9 +2,9 @@
 #include "Fields/FaceLinks.h"
 
 #include "Cells/FaceExtent.h"
+#include "Common/Vectors.h"
 #include "Fields/FaceTurn.h"
 
-#include "vtkMath.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -306,13 +306,13 @@ private:
   static double GetGap(
     const double (*own)[3], const double (*other)[3], int number, int start, bool isReversed)
   {
-    double squared = 0.0;
+    double gap = 0.0;
     for (int i = 0; i < number; ++i)
     {
       const int corner = (start + (isReversed ? number - i : i)) % number;
-      squared = std::max(squared, vtkMath::Distance2BetweenPoints(other[i], own[corner]));
+      gap = std::max(gap, Vectors::SafeLength(Vectors::Difference(other[i], own[corner])));
     }
-    return std::sqrt(squared);
+    return gap;
   }
 
   const FillBlock& Fill;

@@ -3,6 +3,7 @@
 #define interlume_OpenInterfaces_h
 
 #include "Cells/InterpolatedCell.h"
+#include "Common/Vectors.h"
 
 #include "vtkMath.h"
 #include "vtkSMPTools.h"
@@ -117,7 +118,7 @@ private:
     {
       x[axis] = middle[axis] + step * extent.Width * extent.Normal[axis];
     }
-    return Step * extent.Width > 64.0 * DBL_EPSILON * vtkMath::Norm(middle);
+    return Step * extent.Width > 64.0 * DBL_EPSILON * Vectors::SafeLength(glm::make_vec3(middle));
   }
 };
 

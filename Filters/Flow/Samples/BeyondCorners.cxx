@@ -2,12 +2,12 @@
 #include "Samples/BeyondCorners.h"
 
 #include "Common/Blanking.h"
+#include "Common/Vectors.h"
 #include "Samples/ImplicitFlowArrays.h"
 
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkIdList.h"
-#include "vtkMath.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPThreadLocalObject.h"
 #include "vtkSMPTools.h"
@@ -126,7 +126,7 @@ private:
         upper[axis] = std::max(upper[axis], x[i][axis]);
       }
     }
-    this->Length = std::sqrt(vtkMath::Distance2BetweenPoints(lower, upper));
+    this->Length = Vectors::SafeLength(Vectors::Difference(upper, lower));
     bool isCrossed = isLeft && above + below <= this->Length;
     for (int i = 0; i < this->Number && isCrossed; ++i)
     {
@@ -149,9 +149,12 @@ private:
       corner.Length = this->Length;
       for (int j = 0; j < this->Number; ++j)
       {
-        corner.IsOtherReached = corner.IsOtherReached ||
-          (this->Distances[j] * this->Distances[i] <= 0.0 && j != i &&
-            this->Arrays.IsReached(this->Ids[j]));
+        // The product of distances may be no number.
+        const double other = this->Distances[j];
+        const bool isAcross = (this->Distances[i] <= 0.0 && other >= 0.0) ||
+          (this->Distances[i] >= 0.0 && other <= 0.0);
+        corner.IsOtherReached =
+          corner.IsOtherReached || (isAcross && j != i && this->Arrays.IsReached(this->Ids[j]));
       }
       found.push_back(corner);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Samples/BeyondTrace.h"
 
+#include "Common/Vectors.h"
+
 #include "vtkDataSet.h"
 #include "vtkMath.h"
 #include "vtkTerminationSurface.h"
@@ -94,7 +96,7 @@ bool BeyondTrace::TurnToWay(Streamlines::Velocity& velocity) const
   {
     component = this->Options.IsBackward() ? -component : component;
   }
-  const double speed = vtkMath::Norm(velocity.V);
+  const double speed = Vectors::SafeLength(glm::make_vec3(velocity.V));
   return velocity.IsInField && std::isfinite(speed) && speed > this->Options.MinimumSpeed;
 }
 
@@ -110,7 +112,9 @@ void BeyondTrace::Describe(const Corners& corners, std::size_t row, Streamlines:
   const bool isMoving = this->TurnToWay(velocity);
   answer.IsStill = !isMoving && corner.Distance == 0.0;
   // A streamline along the surface counts as leaving, as in TerminationSide.
-  const bool isAway = corner.Distance * vtkMath::Dot(answer.Normal, velocity.V) >= 0.0;
+  const double speed = vtkMath::Dot(answer.Normal, velocity.V);
+  const bool isAway =
+    (corner.Distance >= 0.0 && speed >= 0.0) || (corner.Distance <= 0.0 && speed <= 0.0);
   const int side = corner.Distance == 0.0 ? 0 : (corner.Distance < 0.0 ? -1 : 1);
   answer.Side =
     static_cast<signed char>(side * (isAway ? vtkFlowStatus::AWAY : vtkFlowStatus::TOWARDS));
@@ -129,7 +133,7 @@ bool BeyondTrace::IsHit(const AdvectionResult& result, const BeyondCorners::Corn
   double x[3];
   this->Samples->GetPoint(corner.Sample, x);
   return result.Status == vtkFlowStatus::REACHED_SURFACE &&
-    std::sqrt(vtkMath::Distance2BetweenPoints(result.Position, x)) <= MostWay * corner.Length;
+    Vectors::SafeLength(Vectors::Difference(result.Position, x)) <= MostWay * corner.Length;
 }
 
 bool BeyondTrace::FollowTo(
@@ -181,7 +185,7 @@ bool BeyondTrace::FollowOn(const Corners& corners, const Rows& rows,
     if (this->TurnToWay(velocities[i]))
     {
       const AdvectionResult& to = before[hit[i]];
-      const double speed = vtkMath::Norm(velocities[i].V);
+      const double speed = Vectors::SafeLength(glm::make_vec3(velocities[i].V));
       const double way = StartBehind * corners[hit[i]].Length;
       Start start{ hit[i], way, to.Time + way / speed, {} };
       for (int axis = 0; axis < 3; ++axis)

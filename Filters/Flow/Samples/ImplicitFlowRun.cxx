@@ -5,6 +5,7 @@
 #include "Checkpoint/CheckpointedStreamlines.h"
 #include "Checkpoint/FlowCheckpoint.h"
 #include "Common/ArrayCheck.h"
+#include "Common/Vectors.h"
 #include "Fields/BoundaryPatches.h"
 #include "Fields/FieldDispatch.h"
 #include "Fields/OpenInterfaces.h"
@@ -26,7 +27,6 @@
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSMPThreadLocal.h"
@@ -321,7 +321,9 @@ void ImplicitFlowRun::FollowLevels(Streamlines& streamlines, vtkDataSet* samples
   this->AddSurfaces(samples, this->Options.DomainFaces ? domainFaces : 0);
   this->Report.MaximumError = this->Options.MaximumError;
   this->Report.MinimumSpeed = this->Options.MinimumSpeed;
-  TerminationSides sides(this->Options);
+  double bounds[6];
+  samples->GetBounds(bounds);
+  TerminationSides sides(this->Options, bounds);
   bool goesOn = this->Follow(streamlines, samples, 0, 0, sides);
   vtkSmartPointer<vtkUnstructuredGrid> grid;
   if (goesOn && this->Options.RefinementLevels > 0)
@@ -447,6 +449,14 @@ bool ImplicitFlowRun::HasExtras() const
     this->Options.ComputeMeanVorticity || !this->Options.MeanNumbers.empty();
 }
 
+double ImplicitFlowRun::GetFieldLength() const
+{
+  double bounds[6];
+  this->Field->GetBounds(bounds);
+  return Vectors::SafeLength(
+    { bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+}
+
 double ImplicitFlowRun::GetDistance(int id, const double first[2], const double other[2]) const
 {
   for (const AdvectionOptions::Surface& surface : this->Options.Surfaces)
@@ -458,12 +468,12 @@ double ImplicitFlowRun::GetDistance(int id, const double first[2], const double 
     {
       return surface.Shape->EvaluatePoint(part, first, x) &&
           surface.Shape->EvaluatePoint(part, other, y)
-        ? std::sqrt(vtkMath::Distance2BetweenPoints(x, y))
+        ? Vectors::SafeLength(Vectors::Difference(x, y))
         : std::numeric_limits<double>::infinity();
     }
   }
   // No face of the domain is wider than the field.
-  return this->Field->GetLength() *
+  return this->GetFieldLength() *
     std::max(std::abs(first[0] - other[0]), std::abs(first[1] - other[1]));
 }
 
@@ -471,7 +481,7 @@ template <typename FollowSome, typename TakeResult>
 bool ImplicitFlowRun::FollowShared(const int dimensions[3], vtkDataSet* samples,
   const Arrays& arrays, double speed, FollowSome&& follow, TakeResult&& take)
 {
-  const double length = this->Field->GetLength();
+  const double length = this->GetFieldLength();
   SharedLattice lattice(
     dimensions,
     { arrays.Status->GetPointer(0), arrays.Id->GetPointer(0), arrays.Parameters->GetPointer(0),

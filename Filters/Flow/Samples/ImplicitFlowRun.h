@@ -91,6 +91,8 @@ private:
     double speed, FollowSome&& follow, TakeResult&& take);
   /// Returns whether further quantities of paths are kept.
   bool HasExtras() const;
+  /// Returns the diagonal of the field's bounds.
+  double GetFieldLength() const;
   /// Returns the distance of two places on the surface with this id.
   double GetDistance(int id, const double first[2], const double other[2]) const;
   /// Finds on which side of their surface samples are, after all samples of \a sides were followed.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Samples/MarkedEdges.h"
 
-#include "vtkMath.h"
+#include "Cells/MultilinearCell.h"
+#include "Common/Vectors.h"
+
 #include "vtkPoints.h"
 
 #include <algorithm>
@@ -17,6 +19,10 @@ void MarkedEdges::Build(std::vector<Edge> edges, vtkPoints* points)
   this->Edges = std::move(edges);
 
   this->Starts.assign(static_cast<std::size_t>(points->GetNumberOfPoints()) + 1, 0);
+  double bounds[6];
+  points->GetBounds(bounds);
+  const double scale = MultilinearCell::GetScale(
+    std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] }));
   std::vector<double> lengths;
   lengths.reserve(this->Edges.size());
   for (const Edge& edge : this->Edges)
@@ -26,8 +32,9 @@ void MarkedEdges::Build(std::vector<Edge> edges, vtkPoints* points)
     double b[3];
     points->GetPoint(edge[0], a);
     points->GetPoint(edge[1], b);
-    const double length = vtkMath::Distance2BetweenPoints(a, b);
-    // NaN has no place in an order.
+    // Squares at a size of about 1 are numbers, and NaN has no place in an order.
+    const glm::dvec3 way = scale * Vectors::Difference(b, a);
+    const double length = glm::dot(way, way);
     lengths.push_back(length > 0.0 ? length : 0.0);
   }
   std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Samples/SampleGrid.h"
 
+#include "Cells/MultilinearCell.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkIdList.h"
@@ -198,12 +200,21 @@ vtkSmartPointer<vtkDataSet> SampleGrid::MakeVoxels(const double bounds[6])
     longest = std::max(longest, bounds[2 * axis + 1] - bounds[2 * axis]);
   }
   // Voxels are cubes but for rounding; a flat side has one layer of them.
-  double volume = 1.0;
   double lengths[3];
   for (int axis = 0; axis < 3; ++axis)
   {
     lengths[axis] = std::max(bounds[2 * axis + 1] - bounds[2 * axis], 1e-3 * longest);
-    volume *= lengths[axis];
+  }
+  double volume = lengths[0] * lengths[1] * lengths[2];
+  if (!std::isnormal(volume))
+  {
+    const double scale = MultilinearCell::GetScale(longest);
+    volume = 1.0;
+    for (double& length : lengths)
+    {
+      length *= scale;
+      volume *= length;
+    }
   }
   const double edge = std::cbrt(volume / static_cast<double>(MostPoints));
   Size size{ { 2, 2, 2 } };

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Samples/TerminationSides.h"
 
+#include "Cells/MultilinearCell.h"
+#include "Common/Vectors.h"
+
 #include "vtkDataSet.h"
 #include "vtkFlowStatus.h"
 #include "vtkIdList.h"
@@ -39,7 +42,7 @@ double GetDiagonal(vtkDataSet* data, vtkIdList* corners)
       upper[i] = std::max(upper[i], x[i]);
     }
   }
-  return std::sqrt(vtkMath::Distance2BetweenPoints(lower, upper));
+  return Vectors::SafeLength(Vectors::Difference(upper, lower));
 }
 
 // The least distances of a cell's corners above and below their surface.
@@ -60,8 +63,10 @@ struct Gap
 };
 }
 
-TerminationSides::TerminationSides(const AdvectionOptions& options)
+TerminationSides::TerminationSides(const AdvectionOptions& options, const double bounds[6])
   : IsBackward(options.IsBackward())
+  , Scale(MultilinearCell::GetScale(
+      std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] })))
 {
   for (const AdvectionOptions::Surface& surface : options.Surfaces)
   {
@@ -109,8 +114,9 @@ void TerminationSides::Add(vtkIdType sample, const double x[3], const AdvectionR
   const double least = std::numeric_limits<float>::min();
   // Rounding may have put a sample on the field's skin behind the surface that is there.
   const bool isOff = result.Time > 0.0 && std::abs(distance) > result.Nearness;
-  this->Distances[static_cast<std::size_t>(sample)] =
-    isOff ? static_cast<float>(std::copysign(std::max(least, std::abs(distance)), distance)) : 0.0F;
+  this->Distances[static_cast<std::size_t>(sample)] = isOff
+    ? static_cast<float>(std::copysign(std::max(least, this->Scale * std::abs(distance)), distance))
+    : 0.0F;
 }
 
 std::vector<vtkIdType> TerminationSides::FindCorners(vtkDataSet* samples, const int* ids) const
@@ -140,7 +146,7 @@ std::vector<vtkIdType> TerminationSides::FindCorners(vtkDataSet* samples, const 
           gap.Add(distance);
         }
         if (isOne && gap.IsCrossed() &&
-          gap.Above + gap.Below <= Rounding * GetDiagonal(samples, corners))
+          gap.Above + gap.Below <= Rounding * (this->Scale * GetDiagonal(samples, corners)))
         {
           own.insert(own.end(), corners->begin(), corners->end());
         }

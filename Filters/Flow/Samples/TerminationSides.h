@@ -24,8 +24,8 @@ namespace interlume
 class TerminationSides
 {
 public:
-  /// Takes options that must not change while this is used.
-  explicit TerminationSides(const AdvectionOptions& options);
+  /// Takes options that must not change while this is used, and the bounds of the samples.
+  TerminationSides(const AdvectionOptions& options, const double bounds[6]);
 
   /// Sets the number of samples; new ones have no surface.
   void SetNumberOfSamples(vtkIdType number);
@@ -46,7 +46,10 @@ private:
 
   bool IsBackward;
   std::map<int, std::vector<const vtkTerminationSurface*>> Surfaces;
-  // The distance of each sample; NaN without a surface, 0 only on it.
+  // The power of 2 by which the samples' longest side is about 1.
+  double Scale;
+  // The distance of each sample, multiplied by Scale, so that floats have it; NaN without a
+  // surface, 0 only on it.
   std::vector<float> Distances;
 };
 

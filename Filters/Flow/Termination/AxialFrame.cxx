@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Termination/AxialFrame.h"
 
+#include "Common/Vectors.h"
+
 #include "vtkMath.h"
 
 #include <cmath>
-
-#include <glm/geometric.hpp>
 
 namespace interlume
 {
 
 void AxialFrame::SetAxis(const glm::dvec3& axis)
 {
-  const double length = glm::length(axis);
+  const double length = Vectors::SafeLength(axis);
   const glm::dvec3 a = length > 0.0 ? axis / length : axis;
   const double sign = std::copysign(1.0, a.z);
   const double scale = -1.0 / (sign + a.z);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Termination/TerminationGrid.h"
 
+#include "Cells/MultilinearCell.h"
 #include "Common/Batches.h"
+#include "Common/Vectors.h"
 
-#include "vtkMath.h"
 #include "vtkSMPTools.h"
 #include "vtkTerminationSurface.h"
 
@@ -98,21 +99,27 @@ void TerminationGrid::AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
   const Point& first = this->Points[a];
   const Point& second = this->Points[b];
   const Point& third = this->Points[c];
-  double sides[2][3];
-  double cross[3];
-  vtkMath::Subtract(second.Position, first.Position, sides[0]);
-  vtkMath::Subtract(third.Position, first.Position, sides[1]);
-  vtkMath::Cross(sides[0], sides[1], cross);
-  const double longest =
-    std::max({ vtkMath::Dot(sides[0], sides[0]), vtkMath::Dot(sides[1], sides[1]),
-      vtkMath::Distance2BetweenPoints(second.Position, third.Position) });
-  if (!(vtkMath::Norm(cross) > Flatness * longest))
+  glm::dvec3 sides[3] = { Vectors::Difference(second.Position, first.Position),
+    Vectors::Difference(third.Position, first.Position),
+    Vectors::Difference(third.Position, second.Position) };
+  // At a size of about 1, squares of areas are numbers.
+  const double scale = MultilinearCell::GetScale(
+    std::max(Vectors::InfinityNorm(sides[0]), Vectors::InfinityNorm(sides[1])));
+  double longest = 0.0;
+  for (glm::dvec3& side : sides)
+  {
+    side *= scale;
+    longest = std::max(longest, glm::dot(side, side));
+  }
+  const glm::dvec3 cross = glm::cross(sides[0], sides[1]);
+  if (!(glm::length(cross) > Flatness * longest))
   {
     ++this->FlatTriangles;
     return;
   }
-  const double facing = vtkMath::Dot(cross, first.Normal) + vtkMath::Dot(cross, second.Normal) +
-    vtkMath::Dot(cross, third.Normal);
+  const double* facet = glm::value_ptr(cross);
+  const double facing = Vectors::Dot(facet, first.Normal) + Vectors::Dot(facet, second.Normal) +
+    Vectors::Dot(facet, third.Normal);
   if (facing < 0.0)
   {
     std::swap(b, c);

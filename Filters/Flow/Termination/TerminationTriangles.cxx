@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Termination/TerminationTriangles.h"
 
+#include "Cells/MultilinearCell.h"
 #include "Common/ArrayCheck.h"
 #include "Common/FiniteNumbers.h"
 #include "Common/Vectors.h"
@@ -44,6 +45,23 @@ struct TripleHash
 std::string Name(const char* what, vtkIdType id)
 {
   return std::string(what) + " " + std::to_string(id) + " of the mesh";
+}
+
+// VTK's triangulation has squares of lengths, and products of them.
+void BringToSizeOne(vtkPolygon* polygon)
+{
+  double bounds[6];
+  polygon->GetBounds(bounds);
+  const double scale = MultilinearCell::GetScale(
+    std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] }));
+  vtkPoints* points = polygon->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    points->GetPoint(i, x);
+    vtkMath::MultiplyScalar(x, scale);
+    points->SetPoint(i, x);
+  }
 }
 
 std::string CheckTexture(vtkPolyData* data)
@@ -101,6 +119,7 @@ std::string TerminationTriangles::FindTriangles(vtkPolyData* data, std::vector<P
       else
       {
         polygon->Initialize(static_cast<int>(number), ids, data->GetPoints());
+        BringToSizeOne(polygon);
         if (number < 3 || !polygon->EarCutTriangulation(cut))
         {
           ++this->NumberOfDegenerateTriangles;
@@ -137,8 +156,10 @@ void TerminationTriangles::Weld(
       isFirst = false;
     }
   }
-  this->Diagonal = std::hypot(this->Bounds[1] - this->Bounds[0], this->Bounds[3] - this->Bounds[2],
-    this->Bounds[5] - this->Bounds[4]);
+  const double diagonal = std::hypot(this->Bounds[1] - this->Bounds[0],
+    this->Bounds[3] - this->Bounds[2], this->Bounds[5] - this->Bounds[4]);
+  this->Scale = MultilinearCell::GetScale(diagonal);
+  this->Diagonal = this->Scale * diagonal;
   // Vertices are sorted by the cells of a grid, which is twice as wide as the reach: those near a
   // point are in its cell and in the neighbours on its side.
   const double reach = tolerance * this->Diagonal;
@@ -151,11 +172,12 @@ void TerminationTriangles::Weld(
       continue;
     }
     data->GetPoint(id, glm::value_ptr(x));
+    x *= this->Scale;
     Triple home;
     int sides[3];
     for (int i = 0; i < 3; ++i)
     {
-      const double place = (x[i] - this->Bounds[2 * i]) / (2.0 * reach);
+      const double place = (x[i] - this->Scale * this->Bounds[2 * i]) / (2.0 * reach);
       home[i] = static_cast<std::int64_t>(std::floor(place));
       sides[i] = place - std::floor(place) < 0.5 ? -1 : 1;
     }

@@ -23,6 +23,9 @@ namespace interlume
  * Points nearer to each other than the tolerance are one vertex, known by the first of them, so
  * that a seam of the texture is no border of the surface. Each corner keeps the texture coordinates
  * of its own point.
+ *
+ * Vertices are the points multiplied by Scale, a power of 2 by which the diagonal is about 1, so
+ * that products of four lengths are numbers at any size.
  */
 class TerminationTriangles
 {
@@ -46,10 +49,12 @@ public:
   };
   std::vector<Triangle> Triangles;
   std::vector<glm::dvec3> Vertices;
+  double Scale = 1.0;
   /// The point that stands for each vertex.
   std::vector<vtkIdType> PointIds;
   /// The bounds of the points in use.
   double Bounds[6];
+  /// The bounds' diagonal, multiplied by Scale.
   double Diagonal = 0.0;
   /// The number of triangles without area, and of polygons that cannot be cut into triangles.
   vtkIdType NumberOfDegenerateTriangles = 0;

@@ -81,9 +81,10 @@ bool TextureSearch::FindPoint(const double uv[2], double x[3]) const
             squaredLimit = limit = foot.SquaredDistance;
             isFound = true;
             const glm::dvec3& origin = this->Mesh->GetCorner(item, 0);
-            const glm::dvec3 point = origin +
-              foot.Weights[1] * (this->Mesh->GetCorner(item, 1) - origin) +
-              foot.Weights[2] * (this->Mesh->GetCorner(item, 2) - origin);
+            const glm::dvec3 point =
+              (origin + foot.Weights[1] * (this->Mesh->GetCorner(item, 1) - origin) +
+                foot.Weights[2] * (this->Mesh->GetCorner(item, 2) - origin)) /
+              this->Mesh->Scale;
             std::copy_n(glm::value_ptr(point), 3, x);
           }
         });

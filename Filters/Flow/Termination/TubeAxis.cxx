@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Termination/TubeAxis.h"
 
+#include "Cells/MultilinearCell.h"
 #include "Common/Vectors.h"
 
 #include "vtkMath.h"
@@ -44,10 +45,10 @@ std::string TubeAxis::Build(const std::vector<glm::dvec3>& points)
     {
       return "point " + std::to_string(i) + " of the tube's line is not finite";
     }
-    size = std::max(size, glm::distance(points[i], points[0]));
+    size = std::max(size, Vectors::SafeLength(points[i] - points[0]));
   }
   const auto areSame = [size](const glm::dvec3& a, const glm::dvec3& b)
-  { return glm::distance(a, b) <= SamePlace * size; };
+  { return Vectors::SafeLength(a - b) <= SamePlace * size; };
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
@@ -63,6 +64,7 @@ std::string TubeAxis::Build(const std::vector<glm::dvec3>& points)
   this->Closed = kept.size() > 3 && areSame(points[kept.front()], points[kept.back()]);
   this->FirstPoint = points[kept.front()];
   this->LastPoint = points[kept.back()];
+  this->Scale = MultilinearCell::GetScale(size);
 
   std::vector<Segment> segments(kept.size() - 1);
   std::vector<BoxTree::Box> boxes(segments.size());
@@ -74,10 +76,10 @@ std::string TubeAxis::Build(const std::vector<glm::dvec3>& points)
     segment.Start = points[kept[i]];
     for (int axis = 0; axis < 3; ++axis)
     {
-      boxes[i].Lower[axis] = std::min(segment.Start[axis], end[axis]);
-      boxes[i].Upper[axis] = std::max(segment.Start[axis], end[axis]);
+      boxes[i].Lower[axis] = this->Scale * std::min(segment.Start[axis], end[axis]);
+      boxes[i].Upper[axis] = this->Scale * std::max(segment.Start[axis], end[axis]);
     }
-    segment.Length = glm::distance(end, segment.Start);
+    segment.Length = Vectors::SafeLength(end - segment.Start);
     segment.Frame.Axis = (end - segment.Start) / segment.Length;
     segment.Distance = this->Length;
     this->Length += segment.Length;
@@ -115,14 +117,15 @@ int TubeAxis::FindNearest(const glm::dvec3& x, double& along) const
 {
   int nearest = 0;
   along = 0.0;
-  this->Tree.VisitNear(glm::value_ptr(x), std::numeric_limits<double>::infinity(),
+  const glm::dvec3 scaled = this->Scale * x;
+  this->Tree.VisitNear(glm::value_ptr(scaled), std::numeric_limits<double>::infinity(),
     [this, &x, &nearest, &along](int item, double& squaredLimit)
     {
       const Segment& segment = this->Segments[item];
       const glm::dvec3 p = x - segment.Start;
       const double place = glm::dot(p, segment.Frame.Axis);
       const double clamped = std::max(0.0, std::min(place, segment.Length));
-      const glm::dvec3 apart = p - clamped * segment.Frame.Axis;
+      const glm::dvec3 apart = this->Scale * (p - clamped * segment.Frame.Axis);
       const double squaredDistance = glm::dot(apart, apart);
       if (squaredDistance < squaredLimit)
       {
@@ -216,10 +219,12 @@ glm::dvec3 TubeAxis::GetPoint(const double uv[2], double radius) const
   if (along < 0.0 || along > segment.Length)
   {
     // Around the outside of a bend the tube is a part of the sphere around the line's point.
-    const double offset = part * segment.Length - (along < 0.0 ? 0.0 : segment.Length);
+    const double offset =
+      this->Scale * (part * segment.Length - (along < 0.0 ? 0.0 : segment.Length));
+    const double size = this->Scale * radius;
     const double square = 1.0 + slope * slope;
-    const double root = std::sqrt(std::max(0.0, square * radius * radius - offset * offset));
-    rho = (root - offset * slope) / square;
+    const double root = std::sqrt(std::max(0.0, square * size * size - offset * offset));
+    rho = (root - offset * slope) / square / this->Scale;
     along = part * segment.Length + rho * slope;
   }
   return segment.Start +

@@ -86,7 +86,10 @@ private:
   int GetNeighbor(int segment, int step) const;
 
   std::vector<Segment> Segments;
+  /// The boxes of segments, multiplied by Scale.
   BoxTree Tree;
+  /// The power of 2 by which the line's size is about 1, so that squares are numbers.
+  double Scale = 1.0;
   bool Closed = false;
   double Length = 0.0;
   glm::dvec3 FirstPoint{ 0.0, 0.0, 0.0 };

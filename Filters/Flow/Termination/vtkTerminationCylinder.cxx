@@ -34,7 +34,7 @@ std::string vtkTerminationCylinder::Update()
     return "the cylinder's radius is not finite and above 0";
   }
   const glm::dvec3 axis = interlume::Vectors::Difference(this->Point2, this->Point1);
-  this->Length = glm::length(axis);
+  this->Length = interlume::Vectors::SafeLength(axis);
   if (!interlume::FiniteNumbers::IsSize(this->Length))
   {
     return "the cylinder's axis has no length: its ends are the same point";
@@ -101,7 +101,7 @@ void vtkTerminationCylinder::EvaluateNormal(const double x[3], double normal[3])
   if (place.Part == WALL)
   {
     outward = this->Frame->GetVector(place.Offset[0], place.Offset[1], 0.0);
-    const double length = glm::length(outward);
+    const double length = interlume::Vectors::SafeLength(outward);
     outward = length > 0.0 ? outward / length : this->Frame->X;
   }
   std::copy_n(glm::value_ptr(outward), 3, normal);

@@ -35,16 +35,31 @@ struct vtkTerminationMesh::Contents
   /// The error that rounding may have made in the positions of points.
   double Rounding = 0.0;
 
-  // Returns whether x, whose foot this is, is not beyond an open border by more than the tolerance.
-  bool IsWithinBorder(const glm::dvec3& x, int triangle,
-    const interlume::ClosestTrianglePoint& foot, double tolerance) const
+  /// What is nearest to a place, in the units of the triangles' vertices.
+  struct Nearest
   {
-    if (!this->Distance.IsOnBorder(triangle, foot))
+    glm::dvec3 Place;
+    /// -1 without any.
+    int Triangle;
+    interlume::ClosestTrianglePoint Foot;
+  };
+  Nearest FindNearest(const double x[3]) const
+  {
+    Nearest nearest;
+    nearest.Place = this->Triangles.Scale * glm::make_vec3(x);
+    nearest.Triangle = this->Distance.FindNearest(nearest.Place, nearest.Foot);
+    return nearest;
+  }
+
+  // Returns whether the place is not beyond an open border by more than the tolerance.
+  bool IsWithinBorder(const Nearest& nearest, double tolerance) const
+  {
+    if (!this->Distance.IsOnBorder(nearest.Triangle, nearest.Foot))
     {
       return true;
     }
-    const glm::dvec3& normal = this->Distance.GetNormal(triangle, foot);
-    const glm::dvec3 beyond = x - foot.Point;
+    const glm::dvec3& normal = this->Distance.GetNormal(nearest.Triangle, nearest.Foot);
+    const glm::dvec3 beyond = nearest.Place - nearest.Foot.Point;
     return glm::length(beyond - glm::dot(beyond, normal) * normal) <=
       tolerance * this->Triangles.Diagonal;
   }
@@ -146,39 +161,36 @@ std::string vtkTerminationMesh::Update()
 
 double vtkTerminationMesh::EvaluateDistance(const double x[3]) const
 {
-  interlume::ClosestTrianglePoint foot;
-  const int triangle = this->Made->Distance.FindNearest(glm::make_vec3(x), foot);
-  return triangle < 0 ? VTK_DOUBLE_MAX
-                      : this->Made->Distance.GetSignedDistance(triangle, foot, glm::make_vec3(x));
+  const Contents::Nearest nearest = this->Made->FindNearest(x);
+  return nearest.Triangle < 0
+    ? VTK_DOUBLE_MAX
+    : this->Made->Distance.GetSignedDistance(nearest.Triangle, nearest.Foot, nearest.Place) /
+      this->Made->Triangles.Scale;
 }
 
 bool vtkTerminationMesh::IsOn(const double x[3]) const
 {
-  interlume::ClosestTrianglePoint foot;
-  const int triangle = this->Made->Distance.FindNearest(glm::make_vec3(x), foot);
-  return triangle >= 0 &&
-    std::sqrt(foot.SquaredDistance) <= Nearness * this->Made->Triangles.Diagonal &&
-    this->Made->IsWithinBorder(glm::make_vec3(x), triangle, foot, this->Tolerance);
+  const Contents::Nearest nearest = this->Made->FindNearest(x);
+  return nearest.Triangle >= 0 &&
+    std::sqrt(nearest.Foot.SquaredDistance) <= Nearness * this->Made->Triangles.Diagonal &&
+    this->Made->IsWithinBorder(nearest, this->Tolerance);
 }
 
 bool vtkTerminationMesh::IsBeside(const double x[3]) const
 {
-  interlume::ClosestTrianglePoint foot;
-  const int triangle = this->Made->Distance.FindNearest(glm::make_vec3(x), foot);
-  return triangle >= 0 &&
-    this->Made->IsWithinBorder(glm::make_vec3(x), triangle, foot, this->Tolerance);
+  const Contents::Nearest nearest = this->Made->FindNearest(x);
+  return nearest.Triangle >= 0 && this->Made->IsWithinBorder(nearest, this->Tolerance);
 }
 
 void vtkTerminationMesh::EvaluateParameters(const double x[3], double uv[2]) const
 {
   std::fill_n(uv, 2, 0.0);
-  interlume::ClosestTrianglePoint foot;
-  const int triangle = this->Made->Distance.FindNearest(glm::make_vec3(x), foot);
-  for (int i = 0; i < 2 && triangle >= 0; ++i)
+  const Contents::Nearest nearest = this->Made->FindNearest(x);
+  for (int i = 0; i < 2 && nearest.Triangle >= 0; ++i)
   {
-    const auto& texture = this->Made->Triangles.Triangles[triangle].Texture;
-    uv[i] = foot.Weights[0] * texture[0][i] + foot.Weights[1] * texture[1][i] +
-      foot.Weights[2] * texture[2][i];
+    const auto& texture = this->Made->Triangles.Triangles[nearest.Triangle].Texture;
+    const glm::dvec3& weights = nearest.Foot.Weights;
+    uv[i] = weights[0] * texture[0][i] + weights[1] * texture[1][i] + weights[2] * texture[2][i];
     if (this->IsPeriodic(i))
     {
       uv[i] -= std::floor(uv[i]);
@@ -189,10 +201,10 @@ void vtkTerminationMesh::EvaluateParameters(const double x[3], double uv[2]) con
 
 void vtkTerminationMesh::EvaluateNormal(const double x[3], double normal[3]) const
 {
-  interlume::ClosestTrianglePoint foot;
-  const int triangle = this->Made->Distance.FindNearest(glm::make_vec3(x), foot);
-  const glm::dvec3 outward =
-    triangle < 0 ? glm::dvec3(0.0, 0.0, 1.0) : this->Made->Distance.GetNormal(triangle, foot);
+  const Contents::Nearest nearest = this->Made->FindNearest(x);
+  const glm::dvec3 outward = nearest.Triangle < 0
+    ? glm::dvec3(0.0, 0.0, 1.0)
+    : this->Made->Distance.GetNormal(nearest.Triangle, nearest.Foot);
   std::copy_n(glm::value_ptr(outward), 3, normal);
 }
 
@@ -204,10 +216,12 @@ bool vtkTerminationMesh::EvaluatePoint(int part, const double uv[2], double x[3]
 
 double vtkTerminationMesh::EvaluateGap(const double x[3]) const
 {
-  interlume::ClosestTrianglePoint foot;
-  const int triangle = this->Made->Distance.FindNearest(glm::make_vec3(x), foot);
-  return triangle < 0 ? VTK_DOUBLE_MAX
-                      : std::max(0.0, std::sqrt(foot.SquaredDistance) - this->Made->Rounding);
+  const Contents::Nearest nearest = this->Made->FindNearest(x);
+  return nearest.Triangle < 0
+    ? VTK_DOUBLE_MAX
+    : std::max(0.0,
+        std::sqrt(nearest.Foot.SquaredDistance) / this->Made->Triangles.Scale -
+          this->Made->Rounding);
 }
 
 bool vtkTerminationMesh::IsPeriodic(int direction, int) const

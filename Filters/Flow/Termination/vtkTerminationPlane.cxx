@@ -3,6 +3,7 @@
 
 #include "Common/FiniteNumbers.h"
 #include "Common/NamedValue.h"
+#include "Common/Vectors.h"
 
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -27,11 +28,15 @@ std::string vtkTerminationPlane::Update()
   vtkMath::Subtract(this->Point2, this->Origin, edges[1]);
   for (int i = 0; i < 2; ++i)
   {
-    lengths[i] = vtkMath::Normalize(edges[i]);
+    lengths[i] = interlume::Vectors::SafeLength(glm::make_vec3(edges[i]));
     if (!interlume::FiniteNumbers::IsSize(lengths[i]))
     {
       return i == 0 ? "the plane's edge from Origin to Point1 has no length"
                     : "the plane's edge from Origin to Point2 has no length";
+    }
+    for (double& component : edges[i])
+    {
+      component /= lengths[i];
     }
   }
   vtkMath::Cross(edges[0], edges[1], this->Normal);

@@ -31,7 +31,7 @@ std::string vtkTerminationSphere::Update()
   {
     return "the sphere's radius is not finite and above 0";
   }
-  if (!interlume::FiniteNumbers::IsSize(vtkMath::Norm(this->Axis)))
+  if (!interlume::FiniteNumbers::IsSize(interlume::Vectors::SafeLength(glm::make_vec3(this->Axis))))
   {
     return "the sphere's axis is not finite or has no length";
   }
@@ -41,7 +41,8 @@ std::string vtkTerminationSphere::Update()
 
 double vtkTerminationSphere::EvaluateDistance(const double x[3]) const
 {
-  return std::sqrt(vtkMath::Distance2BetweenPoints(x, this->Center)) - this->Radius;
+  return interlume::Vectors::SafeLength(interlume::Vectors::Difference(x, this->Center)) -
+    this->Radius;
 }
 
 void vtkTerminationSphere::EvaluateParameters(const double x[3], double uv[2]) const
@@ -53,11 +54,10 @@ void vtkTerminationSphere::EvaluateParameters(const double x[3], double uv[2]) c
 
 void vtkTerminationSphere::EvaluateNormal(const double x[3], double normal[3]) const
 {
-  vtkMath::Subtract(x, this->Center, normal);
-  if (!(vtkMath::Normalize(normal) > 0.0))
-  {
-    std::copy_n(glm::value_ptr(this->Frame->Axis), 3, normal);
-  }
+  const glm::dvec3 away = interlume::Vectors::Difference(x, this->Center);
+  const double length = interlume::Vectors::SafeLength(away);
+  const glm::dvec3 outward = length > 0.0 ? away / length : this->Frame->Axis;
+  std::copy_n(glm::value_ptr(outward), 3, normal);
 }
 
 bool vtkTerminationSphere::EvaluatePoint(int part, const double uv[2], double x[3]) const

@@ -2,8 +2,7 @@
 #include "vtkTerminationSurface.h"
 
 #include "Common/NamedValue.h"
-
-#include "vtkMath.h"
+#include "Common/Vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +45,7 @@ double vtkTerminationSurface::EvaluateGap(const double x[3]) const
   double nearest[3];
   this->EvaluateParameters(x, uv);
   return this->EvaluatePoint(this->EvaluatePart(x), uv, nearest)
-    ? std::sqrt(vtkMath::Distance2BetweenPoints(x, nearest))
+    ? interlume::Vectors::SafeLength(interlume::Vectors::Difference(x, nearest))
     : std::abs(this->EvaluateDistance(x));
 }
 

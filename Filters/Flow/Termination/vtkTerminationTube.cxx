@@ -114,7 +114,7 @@ double vtkTerminationTube::EvaluateDistance(const double x[3]) const
     return VTK_DOUBLE_MAX;
   }
   const glm::dvec3 place = glm::make_vec3(x);
-  return glm::distance(place, this->Axis->GetFoot(place).Nearest) - this->Radius;
+  return interlume::Vectors::SafeLength(place - this->Axis->GetFoot(place).Nearest) - this->Radius;
 }
 
 bool vtkTerminationTube::IsOn(const double x[3]) const
@@ -159,7 +159,7 @@ void vtkTerminationTube::EvaluateNormal(const double x[3], double normal[3]) con
   {
     const glm::dvec3 place = glm::make_vec3(x);
     const glm::dvec3 away = place - this->Axis->GetFoot(place).Nearest;
-    const double length = glm::length(away);
+    const double length = interlume::Vectors::SafeLength(away);
     outward = length > 0.0 ? away / length : outward;
   }
   std::copy_n(glm::value_ptr(outward), 3, normal);

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StabilityShapes.h"
+
+#include "Reference/Flow/ReferenceTerminationMesh.h"
+
+#include "vtkMath.h"
+#include "vtkPolyData.h"
+#include "vtkTerminationBox.h"
+#include "vtkTerminationCylinder.h"
+#include "vtkTerminationMesh.h"
+#include "vtkTerminationPlane.h"
+#include "vtkTerminationSphere.h"
+#include "vtkTerminationTube.h"
+
+namespace stability
+{
+
+using namespace reference;
+
+std::vector<Shape> MakeShapes()
+{
+  return {
+    { [](double size, double middle)
+      {
+        auto plane = vtkSmartPointer<vtkTerminationPlane>::New();
+        plane->SetOrigin(middle, 0.0, 0.0);
+        plane->SetPoint1(middle + 2.0 * size, 0.0, 0.0);
+        plane->SetPoint2(middle, 3.0 * size, 0.0);
+        return vtkSmartPointer<vtkTerminationSurface>(plane);
+      },
+      6.0, 1e-12, { { 1.0, 1.0, 0.75 } }, 0.75 },
+    { [](double size, double middle)
+      {
+        auto sphere = vtkSmartPointer<vtkTerminationSphere>::New();
+        sphere->SetCenter(middle, 0.0, 0.0);
+        sphere->SetRadius(size);
+        return vtkSmartPointer<vtkTerminationSurface>(sphere);
+      },
+      4.0 * vtkMath::Pi(), 0.005, { { 0.0, 3.0, 4.0 } }, 4.0 },
+    { [](double size, double middle)
+      {
+        auto box = vtkSmartPointer<vtkTerminationBox>::New();
+        box->SetBounds(middle, middle + size, 0.0, 2.0 * size, 0.0, 3.0 * size);
+        return vtkSmartPointer<vtkTerminationSurface>(box);
+      },
+      22.0, 1e-12, { { 0.5, 1.0, 5.0 } }, 2.0 },
+    { [](double size, double middle)
+      {
+        auto cylinder = vtkSmartPointer<vtkTerminationCylinder>::New();
+        cylinder->SetPoint1(middle, 0.0, 0.0);
+        cylinder->SetPoint2(middle, 0.0, 2.0 * size);
+        cylinder->SetRadius(size);
+        return vtkSmartPointer<vtkTerminationSurface>(cylinder);
+      },
+      4.0 * vtkMath::Pi(), 0.005, { { 0.0, 3.0, 1.0 } }, 2.0 },
+    { [](double size, double middle)
+      {
+        auto tube = vtkSmartPointer<vtkTerminationTube>::New();
+        tube->AddPoint(middle, 0.0, 0.0);
+        tube->AddPoint(middle, 2.0 * size, 0.0);
+        tube->SetRadius(size);
+        return vtkSmartPointer<vtkTerminationSurface>(tube);
+      },
+      4.0 * vtkMath::Pi(), 0.005, { { 0.0, 1.0, 3.0 } }, 2.0 },
+    { [](double size, double middle)
+      {
+        TexturedMesh square;
+        square.Points = { { { middle, 0, 0 } }, { { middle + size, 0, 0 } },
+          { { middle + size, size, 0 } }, { { middle, size, 0 } } };
+        square.Texture = { { { 0.0, 0.0 } }, { { 1.0, 0.0 } }, { { 1.0, 1.0 } }, { { 0.0, 1.0 } } };
+        square.Triangles = { { { 0, 1, 2 } }, { { 0, 2, 3 } } };
+        auto mesh = vtkSmartPointer<vtkTerminationMesh>::New();
+        mesh->SetMesh(square.MakeData());
+        return vtkSmartPointer<vtkTerminationSurface>(mesh);
+      },
+      1.0, 1e-9, { { 0.25, 0.5, 2.0 } }, 2.0 },
+  };
+}
+
+}
