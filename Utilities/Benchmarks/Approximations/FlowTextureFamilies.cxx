@@ -167,13 +167,17 @@ Family MakeFlowVoxelFamily()
 
 Family MakeFlowSampleFamily()
 {
-  return { { "flow-texture-samples", "Samples of a painted flow: error against time of a frame",
-             "How far apart are samples of a painted flow, and how many places of paint has each?",
-             "A bent flow painted with stripes and spots, drawn by vtkImplicitFlowVolumeMapper; "
-             "SampleDistance in voxels, or MaximumPaintSamples, at each point (default " +
-               NumberText(DefaultPaintSamples) +
-               "); against the formula's own picture, nine lines of sight a pixel.",
-             FrameLabel, Norm },
-    AddSampleRows };
+  return {
+    { "flow-texture-samples", "Samples of a painted flow: error against time of a frame",
+      "How far apart are samples of a painted flow, and how many places of paint has each?",
+      "A bent flow painted with stripes and spots, drawn by vtkImplicitFlowVolumeMapper; "
+      "SampleDistance in voxels, or MaximumPaintSamples, at each point (default " +
+        NumberText(DefaultPaintSamples) +
+        ": no sample of a picture as fine as its paint has as many, and there a smaller number "
+        "spares no more than runs differ by); against the formula's own picture, nine lines of "
+        "sight a pixel.",
+      FrameLabel, Norm },
+    AddSampleRows
+  };
 }
 }
