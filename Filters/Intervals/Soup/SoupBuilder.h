@@ -92,7 +92,7 @@ public:
   ///@}
 
 private:
-  static constexpr int TableBits = 10;
+  static constexpr int TableBits = 9;
 
   // A point and its index.
   struct Known

@@ -584,11 +584,11 @@ private:
     soup.Reserve();
     for (const Slot slot : what.Slots)
     {
-      vtkIdType owner;
-      const CrossingKey point = this->GetPoint(cell, item, slot, owner);
-      points[slot] = soup.Enter(owner, point);
-      ranks[slot] =
-        (static_cast<std::uint64_t>(owner) << 32) | static_cast<std::uint64_t>(point.GetFar());
+      // Without ties no slot is a corner, and a contour has one value on an edge.
+      const SlotEnds& ends = this->Ends[cell.Shape][slot];
+      const auto [owner, far] = std::minmax({ cell.Ids[ends.A], cell.Ids[ends.B] });
+      points[slot] = soup.Enter(owner, CrossingKey(far, item.Lower));
+      ranks[slot] = (static_cast<std::uint64_t>(owner) << 32) | static_cast<std::uint64_t>(far);
     }
     const vtkIsotable::Simplex* simplices = what.Simplices.data();
     std::size_t number = what.Simplices.size();
