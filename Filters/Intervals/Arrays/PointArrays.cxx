@@ -9,8 +9,6 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 
-#include <cstring>
-
 namespace interlume
 {
 
@@ -86,7 +84,7 @@ void PointArrays::Write(const ExtractionPoint* points, vtkIdType number, vtkIdTy
   }
 }
 
-void PointArrays::Keep(const std::function<bool(vtkIdType point)>& isKept)
+void PointArrays::Keep(const PointRuns& kept)
 {
   std::vector<vtkDataArray*> outs;
   for (const Writer& writer : this->Writers)
@@ -99,19 +97,9 @@ void PointArrays::Keep(const std::function<bool(vtkIdType point)>& isKept)
   }
   for (vtkDataArray* out : outs)
   {
-    char* const values = static_cast<char*>(out->GetVoidPointer(0));
-    const std::size_t size =
-      static_cast<std::size_t>(out->GetNumberOfComponents()) * out->GetDataTypeSize();
-    const vtkIdType number = out->GetNumberOfTuples();
-    vtkIdType kept = 0;
-    for (vtkIdType p = 0; p < number; ++p)
-    {
-      if (isKept(p))
-      {
-        std::memmove(values + size * kept++, values + size * p, size);
-      }
-    }
-    ExtractionMemory::Shorten(out, kept);
+    const vtkIdType size = out->GetNumberOfComponents() * out->GetDataTypeSize();
+    kept.Compact(static_cast<char*>(out->GetVoidPointer(0)), size);
+    ExtractionMemory::Shorten(out, kept.GetNumber());
   }
 }
 

@@ -4,10 +4,10 @@
 
 #include "Arrays/CarriedArrays.h"
 #include "Output/ExtractionPoint.h"
+#include "Output/PointRuns.h"
 
 #include "vtkType.h"
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -43,8 +43,8 @@ public:
   /// Writes \a number points from \a first on. Threads may write different points at a time.
   void Write(const ExtractionPoint* points, vtkIdType number, vtkIdType first) const;
 
-  /// Leaves out the points for which \a isKept is false; the others keep their order.
-  void Keep(const std::function<bool(vtkIdType point)>& isKept);
+  /// Leaves out all other points.
+  void Keep(const PointRuns& kept);
 
   const vtkSmartPointer<vtkPoints>& GetPoints() const { return this->Arrays.GetPoints(); }
   /// Gives the arrays to \a output.

@@ -3,6 +3,8 @@
 #define interlume_SimplexList_h
 
 #include "Output/ExtractionBuffer.h"
+#include "Output/IdRun.h"
+#include "Output/PointRuns.h"
 #include "Output/ThreadGrain.h"
 
 #include "vtkCellArray.h"
@@ -137,20 +139,20 @@ public:
       });
   }
 
-  /// Writes \a number simplices from the first on, which are those before them with each id one
-  /// more.
-  void WriteNext(vtkIdType first, std::size_t number)
+  /// Writes \a cells times \a number simplices from the first on, which are those \a number before
+  /// them with each id one more.
+  void WriteNext(vtkIdType first, std::size_t number, vtkIdType cells)
   {
-    this->Visit(
-      [&](auto* values)
-      {
-        const vtkIdType ids = static_cast<vtkIdType>(number) * this->Size;
-        auto* const out = values + first * this->Size;
-        for (vtkIdType at = 0; at < ids; ++at)
-        {
-          out[at] = out[at - ids] + 1;
-        }
-      });
+    const int ids = static_cast<int>(number) * this->Size;
+    const vtkIdType place = first * this->Size;
+    // Ids that were streamed are not in the cache where the next run begins with them.
+    constexpr vtkIdType leastCells = 4;
+    if (this->IsStreamed && cells >= leastCells)
+    {
+      IdRun::Stream(this->NarrowIds + place, ids, cells);
+      return;
+    }
+    this->Visit([&](auto* values) { IdRun::Write(values + place, ids, cells); });
   }
 
   /// Writes one simplex.
@@ -264,25 +266,15 @@ public:
     this->Shorten(place);
   }
 
-  /**
-   * Leaves out the points whose mark is 0; the others keep their order. \a visit(old, kept) is
-   * called for each point in order, with the number of points kept before it.
-   */
-  template <typename Mark, typename Visitor>
-  void RemovePoints(const Mark* marks, vtkIdType numberOfPoints, Visitor&& visit)
+  /// Gives the points that stay, of \a numberOfPoints, their new ids; the cells use no others.
+  void RemovePoints(const PointRuns& kept, vtkIdType numberOfPoints)
   {
     this->Visit(
       [&](auto* values)
       {
         ExtractionBuffer<std::decay_t<decltype(*values)>> newIds;
         newIds.Allocate(numberOfPoints);
-        vtkIdType kept = 0;
-        for (vtkIdType p = 0; p < numberOfPoints; ++p)
-        {
-          Set(newIds[p], kept);
-          visit(p, kept);
-          kept += marks[p] != 0;
-        }
+        kept.FillIds(newIds.GetData());
         vtkSMPTools::For(0, this->GetNumberOfIds(), ThreadGrain,
           [values, ids = newIds.GetData()](vtkIdType first, vtkIdType last)
           {
@@ -331,6 +323,8 @@ private:
   {
     this->NarrowIds = this->Narrow ? this->Narrow->GetPointer(0) : nullptr;
     this->WideIds = this->Wide ? this->Wide->GetPointer(0) : nullptr;
+    this->IsStreamed =
+      this->Size == 4 && this->NarrowIds && IdRun::IsStreamed(this->NarrowIds, this->Number);
   }
 
   // Gives up the room after the last cell, whose ids end at \a ids.
@@ -402,14 +396,10 @@ private:
     const vtkSmartPointer<Array> offsets = ofWhole ? ofWhole : this->NewOffsets<Array>();
     Id* values = offsets->GetPointer(0);
     const Id size = this->Size;
+    const bool isStreamed = this->IsStreamed;
     vtkSMPTools::For(0, this->Number + (ofWhole ? 0 : 1), ThreadGrain,
-      [values, size](vtkIdType first, vtkIdType last)
-      {
-        for (vtkIdType i = first; i < last; ++i)
-        {
-          values[i] = static_cast<Id>(i) * size;
-        }
-      });
+      [values, size, isStreamed](vtkIdType first, vtkIdType last)
+      { IdRun::FillMultiples(values, size, first, last, isStreamed); });
     return offsets;
   }
 
@@ -421,6 +411,8 @@ private:
   // The values of the one that is there.
   vtkTypeInt32* NarrowIds = nullptr;
   vtkTypeInt64* WideIds = nullptr;
+  // Whether runs of ids are written past the cache.
+  bool IsStreamed = false;
   // The offsets of all cells, where there are whole cells; else null.
   vtkSmartPointer<vtkTypeInt32Array> NarrowOffsets;
   vtkSmartPointer<vtkTypeInt64Array> WideOffsets;

@@ -98,6 +98,34 @@ inline std::int64_t FindChange(const Code* codes, std::int64_t first, std::int64
   return first;
 }
 
+/// Returns the first of the places [first, last) where a code in one of four rows is odd, or \a
+/// last.
+inline std::int64_t FindOdd(const Code* const rows[4], std::int64_t first, std::int64_t last)
+{
+  // Codes are looked at four at a time.
+  constexpr std::int64_t step = sizeof(std::uint64_t) / sizeof(Code);
+  constexpr std::uint64_t ones = 0x0001000100010001;
+  for (; first + step <= last; first += step)
+  {
+    std::uint64_t all = 0;
+    for (int r = 0; r < 4; ++r)
+    {
+      std::uint64_t four;
+      std::memcpy(&four, rows[r] + first, sizeof(four));
+      all |= four;
+    }
+    if (all & ones)
+    {
+      break;
+    }
+  }
+  while (first < last && !((rows[0][first] | rows[1][first] | rows[2][first] | rows[3][first]) & 1))
+  {
+    ++first;
+  }
+  return first;
+}
+
 /**
  * Finds the ends of a row: \a first is the first place whose code is not that at 0, \a last the
  * last whose code is not that at \a number - 1. Where all codes are equal, they are number and -1.
@@ -172,6 +200,49 @@ inline void CountOwned(const Code* INTERLUME_RESTRICT here, const Code* INTERLUM
     third[i] = static_cast<Code>(second[i] + CountCrossings(here[i], along[i]));
     all[i] = static_cast<Code>(third[i] + CountCrossings(here[i], above[i]));
   }
+}
+
+/// Sums counts: \a starts has the sum of those before each.
+inline void FillStarts(const Code* INTERLUME_RESTRICT counts, std::int64_t number,
+  std::uint32_t* INTERLUME_RESTRICT starts)
+{
+  std::uint32_t total = 0;
+  std::int64_t i = 0;
+  // Four at a time, so that only one sum of four depends on the one before.
+  for (; i + 4 <= number; i += 4)
+  {
+    const std::uint32_t one = counts[i];
+    const std::uint32_t two = one + counts[i + 1];
+    const std::uint32_t three = two + counts[i + 2];
+    const std::uint32_t four = three + counts[i + 3];
+    starts[i] = total;
+    starts[i + 1] = total + one;
+    starts[i + 2] = total + two;
+    starts[i + 3] = total + three;
+    total += four;
+  }
+  for (; i < number; ++i)
+  {
+    starts[i] = total;
+    total += counts[i];
+  }
+}
+
+/// Counts the crossings along i, j and k of all grid points of a row.
+inline std::int64_t CountCrossings(const Code* INTERLUME_RESTRICT here,
+  const Code* INTERLUME_RESTRICT along, const Code* INTERLUME_RESTRICT above, std::int64_t number)
+{
+  std::uint32_t crossings = 0;
+  for (std::int64_t i = 0; i < number; ++i)
+  {
+    crossings += CountCrossings(here[i], along[i]);
+    crossings += CountCrossings(here[i], above[i]);
+  }
+  for (std::int64_t i = 0; i + 1 < number; ++i)
+  {
+    crossings += CountCrossings(here[i], here[i + 1]);
+  }
+  return crossings;
 }
 
 /// Computes the digits of a column of four grid points in base \a Base, as one number.

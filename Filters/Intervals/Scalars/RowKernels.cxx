@@ -70,6 +70,13 @@ void RowKernels::CountOwned(const Code* here, const Code* along, const Code* abo
 }
 
 INTERLUME_FUNCTION_CLONES("avx2")
+std::int64_t RowKernels::CountCrossings(
+  const Code* here, const Code* along, const Code* above, std::int64_t number)
+{
+  return ExtractionKernels::CountCrossings(here, along, above, number);
+}
+
+INTERLUME_FUNCTION_CLONES("avx2")
 void RowKernels::FillKeys(int base, const Code* const rows[4], Code first, Code second,
   std::int64_t number, Code* columns, Code* keys)
 {

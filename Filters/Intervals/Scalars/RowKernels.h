@@ -39,6 +39,9 @@ void Summarize(const Code* codes, std::int64_t number, Code& least, Code& greate
 void CountOwned(const Code* here, const Code* along, const Code* above, std::int64_t number,
   const Code* first, Code* second, Code* third, Code* all);
 
+std::int64_t CountCrossings(
+  const Code* here, const Code* along, const Code* above, std::int64_t number);
+
 /// Computes the keys of \a number cells in base 2 or 3, from the codes of the four rows around
 /// them; \a columns is room for one more number than there are cells.
 void FillKeys(int base, const Code* const rows[4], Code first, Code second, std::int64_t number,

@@ -23,7 +23,9 @@
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVersion.h"
 
 #include <algorithm>
 #include <optional>
@@ -67,6 +69,24 @@ void AddPointOrigins(const ExtractionBuffer<ExtractionPoint>& points, vtkPointDa
   AddNamed(output, weights, "OriginWeight");
 }
 
+// Gives simplices to the output. Newer VTK keeps one type for all; older VTK would fill an array in
+// new memory by one thread.
+void SetCells(unsigned char type, SimplexList& simplices, vtkUnstructuredGrid* output)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  output->SetCells(type, simplices.MakeCells());
+#else
+  vtkNew<vtkUnsignedCharArray> types;
+  ExtractionMemory::SetNumberOfTuples(types, simplices.GetNumber());
+  unsigned char* const values = types->GetPointer(0);
+  vtkSMPTools::For(0, simplices.GetNumber(), ThreadGrain,
+    [values, type](vtkIdType first, vtkIdType last)
+    { std::fill(values + first, values + last, type); });
+  // Without arrays of faces VTK looks for polyhedra among all types.
+  output->SetCells(types, simplices.MakeCells(), nullptr, nullptr);
+#endif
+}
+
 void AddCellOrigins(const vtkIdType* cells, std::size_t number, vtkCellData* output)
 {
   vtkNew<vtkIdTypeArray> origins;
@@ -101,7 +121,9 @@ bool Extraction::ExtractMesh(
   }
   if (hasRows)
   {
-    if (this->SharePoints && RowContour::IsSuited(context))
+    const bool needsList = !this->SharePoints || this->KeepOrigins || this->InputBoundary ||
+      this->Whole || this->GenerateBoundaries;
+    if (!needsList)
     {
       arrays.emplace(context.Input, this->OutputPointsPrecision);
       context.Arrays = arrays->AreNumbers() ? &*arrays : nullptr;
@@ -239,8 +261,7 @@ void Extraction::FillOutput(const ExtractionContext& context, ExtractionMesh& me
   }
   else
   {
-    output->SetCells(
-      context.GetSimplexSize() == 4 ? VTK_TETRA : VTK_TRIANGLE, mesh.Simplices.MakeCells());
+    SetCells(context.GetSimplexSize() == 4 ? VTK_TETRA : VTK_TRIANGLE, mesh.Simplices, output);
   }
   if (context.Soup && context.Soup->IsAllocated())
   {

@@ -161,28 +161,22 @@ void ExtractionCleanup::RemoveUnusedPoints(ExtractionMesh& mesh, PointArrays* ar
   {
     return;
   }
-  std::vector<vtkIdType> newIds(mesh.Triangles.empty() ? 0 : number);
-  vtkIdType kept = 0;
-  mesh.Simplices.RemovePoints(used, static_cast<vtkIdType>(number),
-    [&](vtkIdType p, vtkIdType before)
-    {
-      if (!arrays)
-      {
-        mesh.Points[before] = mesh.Points[p];
-      }
-      kept = before + used[p].load(std::memory_order_relaxed);
-      if (!newIds.empty())
-      {
-        newIds[p] = before;
-      }
-    });
+  const vtkIdType points = static_cast<vtkIdType>(number);
+  const PointRuns kept(used, points);
+  mesh.Simplices.RemovePoints(kept, points);
   if (arrays)
   {
-    arrays->Keep([used](vtkIdType p) { return used[p].load(std::memory_order_relaxed) != 0; });
+    arrays->Keep(kept);
   }
   else
   {
-    mesh.Points.Truncate(kept);
+    kept.Compact(mesh.Points.GetData(), 1);
+    mesh.Points.Truncate(static_cast<std::size_t>(kept.GetNumber()));
+  }
+  std::vector<vtkIdType> newIds(mesh.Triangles.empty() ? 0 : number);
+  if (!newIds.empty())
+  {
+    kept.FillIds(newIds.data());
   }
   for (auto& triangle : mesh.Triangles)
   {

@@ -94,13 +94,21 @@ struct ExtractionMesh
   /// Writes what all simplices of one case have in common.
   void NoteSimplices(vtkIdType first, std::size_t number, int item, vtkIdType cell)
   {
+    this->NoteRun(first, number, 1, item, cell);
+  }
+
+  /// Writes what the simplices of each of \a cells cells from \a cell on have in common, \a number
+  /// a cell.
+  void NoteRun(vtkIdType first, std::size_t number, vtkIdType cells, int item, vtkIdType cell)
+  {
+    const vtkIdType step = static_cast<vtkIdType>(number);
     if (this->HasSeveralItems)
     {
-      std::fill_n(this->ItemIds->GetPointer(first), number, item);
+      std::fill_n(this->ItemIds->GetPointer(first), step * cells, item);
     }
-    if (this->CellIds.GetSize() > 0)
+    for (vtkIdType c = 0; this->CellIds.GetSize() > 0 && c < cells; ++c)
     {
-      std::fill_n(this->CellIds.GetData() + first, number, cell);
+      std::fill_n(this->CellIds.GetData() + first + step * c, step, cell + c);
     }
   }
 

@@ -208,6 +208,12 @@ bool ExtractionIndex::IsRowActive(vtkIdType cellRow) const
   return this->ActiveRows[j + k * this->Blocks[1]] != 0;
 }
 
+double ExtractionIndex::GetActiveShare() const
+{
+  const auto active = std::count(this->ActiveRows.begin(), this->ActiveRows.end(), 1);
+  return static_cast<double>(active) / static_cast<double>(this->ActiveRows.size());
+}
+
 void ExtractionIndex::GetActiveSpans(vtkIdType cellRow, std::vector<Span>& spans) const
 {
   const vtkIdType j = (cellRow % this->Cells[1]) / BlockSize[1];

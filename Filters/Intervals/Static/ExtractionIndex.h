@@ -70,6 +70,8 @@ public:
    * in StructuredExtraction: j + k (nj - 1).
    */
   bool IsRowActive(vtkIdType cellRow) const;
+  /// The share of rows of blocks.
+  double GetActiveShare() const;
   void GetActiveSpans(vtkIdType cellRow, std::vector<Span>& spans) const;
   ///@}
 

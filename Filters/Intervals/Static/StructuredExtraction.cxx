@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Static/StructuredExtraction.h"
 
+#include "Arrays/PointArrays.h"
 #include "Common/ThreadLocals.h"
 #include "Grid/CellOrientation.h"
 #include "Grid/RowIndex.h"
@@ -39,16 +40,19 @@ struct SlotPlace
   Slot Direction; // 0: the grid point itself, 1, 2, 3: the edge along i, j, k
   Slot Kind;      // 0: lower, 1: upper isovalue
   Slot Ends[2];   // vertices of the cell
+  bool MayFollow; // whether points of other isovalues may come before on the edge
 };
 
-std::vector<SlotPlace> FindSlotPlaces(const vtkIsotable& table)
+std::vector<SlotPlace> FindSlotPlaces(const vtkIsotable& table, const ExtractionValues& values)
 {
+  const bool hasOneItem = values.GetItems().size() == 1;
   std::vector<SlotPlace> places;
-  const auto add = [&places](int a, int b, int direction, int kind)
+  const auto add = [&places, hasOneItem](int a, int b, int direction, int kind)
   {
     places.push_back(
       { static_cast<Slot>(a >> 1), static_cast<Slot>(a & 1), static_cast<Slot>(direction),
-        static_cast<Slot>(kind), { static_cast<Slot>(a), static_cast<Slot>(b) } });
+        static_cast<Slot>(kind), { static_cast<Slot>(a), static_cast<Slot>(b) },
+        direction != 0 && (kind == 1 || !hasOneItem) });
   };
   for (int v = 0; v < 8; ++v)
   {
@@ -76,6 +80,8 @@ vtkIsotable::RankArray FindRanks(const vtkIsotable& table)
 // The codes of all rows are kept where they take no more bytes than this; elsewhere a thread makes
 // those that it needs, each several times.
 constexpr std::size_t MostBytesOfCodes = std::size_t(1) << 26;
+// Where an index leaves fewer rows to be looked at, only their codes are made, about four times.
+constexpr double LeastShareOfRows = 0.25;
 
 // A row of codes and the memory for them.
 struct OwnCodeRow : CodeRow
@@ -96,13 +102,17 @@ struct ColumnRange
 struct OwnerRow
 {
   vtkIdType Row = -1;
-  vtkIdType Total = 0;
   // Only these columns own points; elsewhere the arrays mean nothing.
   ColumnRange Range = { 0, 0 };
   std::vector<std::uint32_t> Starts;
   std::array<std::vector<Code>, 3> Offsets;
   std::vector<Code> Counts;
 };
+
+// The bytes that these take for a grid point, and how many may be kept by a thread, so that they
+// stay in its cache: rows are asked for again in the next layer.
+constexpr std::size_t BytesOfOwner = sizeof(std::uint32_t) + 4 * sizeof(Code);
+constexpr std::size_t MostBytesOfOwners = std::size_t(1) << 22;
 
 // The counts of a row: points owned, simplices and boundary triangles of its cells; after summing,
 // the places where those of the row begin.
@@ -141,7 +151,7 @@ public:
     , Scalars(ExtractionScalars::Make(context.Scalars, *context.Values))
     , Mesh(mesh)
     , Table(vtkIsotable::Get(context.Values->GetKind(), vtkIsotable::HEXAHEDRON))
-    , Places(FindSlotPlaces(Table))
+    , Places(FindSlotPlaces(Table, *context.Values))
     , Ranks(FindRanks(Table))
     , Orientation(context.Input)
     , Rows(dimensions, window)
@@ -153,7 +163,11 @@ public:
     , KeyInside(static_cast<Code>(ExtractionCell::GetKeyInside(8)))
     , WholeType(GetTypeInRows(context.Input))
     , PointsBelow(1, 0)
+    , OwnerRows(static_cast<std::size_t>(2 * this->Nx * this->Ny) * BytesOfOwner > MostBytesOfOwners
+          ? 2
+          : this->Ny)
   {
+    this->Zeros.assign(this->Nx, 0);
     for (int code = 0; code <= this->Values.GetNonFiniteCode(); ++code)
     {
       this->PointsBelow.push_back(
@@ -195,8 +209,9 @@ private:
   bool MakeCodes(vtkIdType rows)
   {
     const std::size_t points = static_cast<std::size_t>(rows * this->Nx);
-    // With an index few rows are looked at.
-    if (this->Context.Index || points * sizeof(Code) > MostBytesOfCodes)
+    const bool areFewUsed =
+      this->Context.Index && this->Context.Index->GetActiveShare() < LeastShareOfRows;
+    if (areFewUsed || points * sizeof(Code) > MostBytesOfCodes)
     {
       return true;
     }
@@ -226,12 +241,14 @@ private:
   struct Local
   {
     std::array<std::array<OwnCodeRow, 3>, 3> Codes;
-    std::array<std::array<OwnerRow, 2>, 2> Owners;
+    // Of two layers of rows, where they are kept whole, or else of two rows of each.
+    std::array<std::vector<OwnerRow>, 2> Owners;
+    std::vector<ExtractionPoint> Points;
     std::vector<Code> Columns;
     std::vector<Code> Keys;
     std::vector<std::uint8_t> Gave;
     // The columns [first, last) of the row of cells that give output.
-    std::array<vtkIdType, 2> Given{ { 0, 0 } };
+    ColumnRange Given = { 0, 0 };
     std::vector<ExtractionIndex::Span> Spans;
     std::vector<ExtractionIndex::Span> Counted;
     interlume::TiedCases TiedCases;
@@ -283,17 +300,16 @@ private:
 
   const OwnerRow& GetOwners(Local& local, vtkIdType j, vtkIdType k) const
   {
-    OwnerRow& owners = local.Owners[k & 1][j & 1];
+    std::vector<OwnerRow>& layer = local.Owners[k & 1];
+    layer.resize(this->OwnerRows);
+    OwnerRow& owners = layer[j % this->OwnerRows];
     if (owners.Row == this->Rows.GetRow(j, k))
     {
       return owners;
     }
     owners.Row = this->Rows.GetRow(j, k);
-    owners.Total = 0;
-    const CodeRow& here = this->GetCodes(local, j, k);
-    const CodeRow& along = j + 1 < this->Ny ? this->GetCodes(local, j + 1, k) : here;
-    const CodeRow& above = k + 1 < this->Nz ? this->GetCodes(local, j, k + 1) : here;
-    owners.Range = this->GetRange<3>({ { &here, &along, &above } });
+    const auto rows = this->GetOwnerCodes(local, j, k);
+    owners.Range = this->GetRange(rows);
     if (owners.Range.First == owners.Range.Last)
     {
       return owners;
@@ -304,24 +320,66 @@ private:
     {
       offsets.resize(this->Nx);
     }
-    this->CountOwned(here, along, above, owners);
-    std::uint32_t total = 0;
-    for (vtkIdType i = owners.Range.First; i < owners.Range.Last;)
-    {
-      // Most points own nothing.
-      if (owners.Counts[i] == 0)
-      {
-        const vtkIdType end =
-          ExtractionKernels::FindChange(owners.Counts.data(), i, owners.Range.Last);
-        std::fill(owners.Starts.begin() + i, owners.Starts.begin() + end, total);
-        i = end;
-        continue;
-      }
-      owners.Starts[i] = total;
-      total += owners.Counts[i++];
-    }
-    owners.Total = total;
+    this->CountOwned(*rows[0], *rows[1], *rows[2], owners);
+    ExtractionKernels::FillStarts(owners.Counts.data() + owners.Range.First,
+      owners.Range.Last - owners.Range.First, owners.Starts.data() + owners.Range.First);
     return owners;
+  }
+
+  // Returns the codes that tell what a row of grid points owns: its own, and those of the next rows
+  // along j and k.
+  std::array<const CodeRow*, 3> GetOwnerCodes(Local& local, vtkIdType j, vtkIdType k) const
+  {
+    const CodeRow* here = &this->GetCodes(local, j, k);
+    return { { here, j + 1 < this->Ny ? &this->GetCodes(local, j + 1, k) : here,
+      k + 1 < this->Nz ? &this->GetCodes(local, j, k + 1) : here } };
+  }
+
+  // Returns how many points a row of grid points owns.
+  vtkIdType CountPoints(Local& local, vtkIdType j, vtkIdType k) const
+  {
+    const auto rows = this->GetOwnerCodes(local, j, k);
+    const ColumnRange range = this->GetRange(rows);
+    if (range.First == range.Last)
+    {
+      return 0;
+    }
+    const vtkIdType number = range.Last - range.First;
+    const Code* const codes[] = { rows[0]->Codes + range.First, rows[1]->Codes + range.First,
+      rows[2]->Codes + range.First };
+    const vtkIdType points = this->CountOwnPoints(*rows[0], codes[0], number);
+    if (rows[0]->IsFinite && rows[1]->IsFinite && rows[2]->IsFinite)
+    {
+      return points + RowKernels::CountCrossings(codes[0], codes[1], codes[2], number);
+    }
+    vtkIdType crossings = 0;
+    for (vtkIdType i = 0; i < number; ++i)
+    {
+      const Code* const here = codes[0] + i;
+      crossings += this->Values.CountCrossings(*here, here[i + 1 < number ? 1 : 0]) +
+        this->Values.CountCrossings(*here, codes[1][i]) +
+        this->Values.CountCrossings(*here, codes[2][i]);
+    }
+    return points + crossings;
+  }
+
+  // Returns how many of the grid points of a row are points of the output.
+  vtkIdType CountOwnPoints(const CodeRow& row, const Code* codes, vtkIdType number) const
+  {
+    const int points = this->CountCodesOfPoints(row);
+    if (points == 0 || points == row.Maximum + 1 - row.Minimum)
+    {
+      return points == 0 ? 0 : number;
+    }
+    return std::count_if(
+      codes, codes + number, [this](Code code) { return this->Values.IsPoint(code); });
+  }
+
+  // Returns how many of the codes between the least and the greatest of a row are of points of the
+  // output.
+  int CountCodesOfPoints(const CodeRow& row) const
+  {
+    return this->PointsBelow[row.Maximum + 1] - this->PointsBelow[row.Minimum];
   }
 
   void CountOwned(
@@ -354,9 +412,8 @@ private:
   // Notes which grid points are points of the output. Mostly none of a row is, or all are.
   void FindPoints(const CodeRow& row, const Code* codes, vtkIdType number, Code* arePoints) const
   {
-    const int range = row.Maximum + 1 - row.Minimum;
-    const int points = this->PointsBelow[row.Maximum + 1] - this->PointsBelow[row.Minimum];
-    if (points == 0 || points == range)
+    const int points = this->CountCodesOfPoints(row);
+    if (points == 0 || points == row.Maximum + 1 - row.Minimum)
     {
       std::fill_n(arePoints, number, static_cast<Code>(points != 0));
       return;
@@ -390,7 +447,7 @@ private:
       else
       {
         const CodeRow& codes = this->GetCodes(local, j, k);
-        place.Points = this->GetOwners(local, j, k).Total;
+        place.Points = this->CountPoints(local, j, k);
         local.HasTies |= codes.HasTies || !codes.IsFinite;
       }
       if (this->Rows.HasCells(j, k))
@@ -419,7 +476,14 @@ private:
       }
       count = total;
     }
-    this->Mesh.Points.Allocate(total.Points);
+    if (this->Context.Arrays)
+    {
+      this->Context.Arrays->Allocate(total.Points);
+    }
+    else
+    {
+      this->Mesh.Points.Allocate(total.Points);
+    }
     vtkIdType whole = 0;
     if constexpr (KeepsWhole)
     {
@@ -462,14 +526,14 @@ private:
       this->Columns.capacity() * sizeof(this->Columns[0]) + this->Mesh.Points.GetBytes() +
       this->AllCodes.GetBytes() + this->CodeRows.capacity() * sizeof(CodeRow) +
       this->Mesh.Used.GetBytes();
-    // The bytes of nine rows of codes; of four rows of starts, three offsets and counts; of
-    // columns, keys and marks.
-    constexpr std::size_t bytesOfColumn =
-      9 * sizeof(Code) + 4 * (sizeof(std::uint32_t) + 4 * sizeof(Code)) + 5;
+    // The bytes of nine rows of codes; of rows of owners; of columns, keys and marks.
+    const std::size_t bytesOfColumn =
+      9 * sizeof(Code) + 2 * static_cast<std::size_t>(this->OwnerRows) * BytesOfOwner + 5;
     for (const Local& local : this->Locals)
     {
       this->Context.Report->Add(local.Report);
-      bytes += static_cast<std::size_t>(this->Nx) * bytesOfColumn;
+      bytes += static_cast<std::size_t>(this->Nx) * bytesOfColumn +
+        local.Points.capacity() * sizeof(ExtractionPoint);
     }
     this->Context.NoteWorkingBytes(bytes);
   }
@@ -484,14 +548,18 @@ private:
     vtkSMPTools::Sort(all.begin(), all.end());
   }
 
-  void WriteCrossings(vtkIdType a, vtkIdType b, Code codeA, Code codeB, ExtractionPoint*& out)
+  // Writes the crossings of an edge. The first is written, whether it is there or not, and the next
+  // one over it if not: which are there cannot be predicted.
+  static void WriteCrossings(
+    vtkIdType a, vtkIdType b, Code codeA, Code codeB, int number, ExtractionPoint*& out)
   {
     const int first = ExtractionValues::GetFirstCrossing(codeA, codeB);
-    const int number = this->Values.CountCrossings(codeA, codeB);
-    for (int k = first; k < first + number; ++k)
+    *out = { a, b, static_cast<double>(first) };
+    for (int k = 1; k < number; ++k)
     {
-      *out++ = { a, b, static_cast<double>(k) };
+      out[k] = { a, b, static_cast<double>(first + k) };
     }
+    out += number;
   }
 
   void WritePoints(Local& local, vtkIdType row)
@@ -503,7 +571,14 @@ private:
     const vtkIdType j = this->Rows.GetJ(row);
     const vtkIdType k = this->Rows.GetK(row);
     const OwnerRow& owners = this->GetOwners(local, j, k);
-    ExtractionPoint* const begin = this->Mesh.Points.GetData() + this->Offsets[row].Points;
+    const vtkIdType place = this->Offsets[row].Points;
+    const vtkIdType number = this->Offsets[row + 1].Points - place;
+    // There is room for one more, which is written but not there.
+    if (local.Points.size() <= static_cast<std::size_t>(number))
+    {
+      local.Points.resize(number + 1);
+    }
+    ExtractionPoint* const begin = local.Points.data();
     ExtractionPoint* out = begin;
     const Code* here = this->GetCodes(local, j, k).Codes;
     const Code* along = j + 1 < this->Ny ? this->GetCodes(local, j + 1, k).Codes : here;
@@ -517,18 +592,29 @@ private:
         continue;
       }
       const vtkIdType id = first + i;
-      if (this->Values.IsPoint(here[i]))
+      const Code own = owners.Offsets[0][i];
+      const Code all = owners.Counts[i];
+      *out = { id, id, 0.0 };
+      out += own;
+      // Most points own nothing else.
+      if (all != own)
       {
-        *out++ = { id, id, 0.0 };
+        const Code second = owners.Offsets[1][i];
+        const Code third = owners.Offsets[2][i];
+        WriteCrossings(id, id + 1, here[i], here[i + 1 < this->Nx ? i + 1 : i], second - own, out);
+        WriteCrossings(id, id + this->Rows.GetStep(1), here[i], along[i], third - second, out);
+        WriteCrossings(id, id + this->Rows.GetStep(2), here[i], above[i], all - third, out);
       }
-      if (i + 1 < this->Nx)
-      {
-        this->WriteCrossings(id, id + 1, here[i], here[i + 1], out);
-      }
-      this->WriteCrossings(id, id + this->Rows.GetStep(1), here[i], along[i], out);
-      this->WriteCrossings(id, id + this->Rows.GetStep(2), here[i], above[i], out);
     }
-    this->Scalars->Place(begin, out - begin);
+    this->Scalars->Place(begin, number);
+    if (this->Context.Arrays)
+    {
+      this->Context.Arrays->Write(begin, number, place);
+    }
+    else
+    {
+      std::copy_n(begin, number, this->Mesh.Points.GetData() + place);
+    }
   }
 
   // The place where the ids of a slot's points begin, and how they go on along a row of cells.
@@ -565,7 +651,7 @@ private:
     local.Spans.clear();
     if (Write)
     {
-      local.Spans.push_back({ this->Columns[row][0], this->Columns[row][1] });
+      local.Spans.push_back({ this->Columns[row].First, this->Columns[row].Last });
     }
     else if (this->Context.Index)
     {
@@ -673,7 +759,7 @@ private:
       // A row that owns nothing has no arrays, and its slots no points.
       const vtkIdType column = owner.Starts.empty() ? 0 : at.Column;
       around.Slots[slot] = { firsts[at.Row], owner.Starts.data() + column,
-        at.Direction == 0 ? nullptr : owner.Offsets[at.Direction - 1].data() + column };
+        at.Direction == 0 ? this->Zeros.data() : owner.Offsets[at.Direction - 1].data() + column };
     }
   }
 
@@ -832,14 +918,19 @@ private:
           }
         }
         const vtkIsotable::Case& found = this->Table.GetCase(key);
+        const vtkIdType end = key == this->KeyInside && !KeepsWhole && !what.IsFlat
+          ? this->FindEndInside(local, around, i, span[1])
+          : i;
+        if (end > i)
+        {
+          this->ProcessInside<Write>(local, around, { i, end }, item, found, inside, place);
+          i = end - 1;
+          continue;
+        }
         const RowCount before = place;
         const bool isTied = hasTies && this->HasTiedPoints(around, i, what.IsFlat) &&
           this->ProcessTies<Write>(local, around, i, item, found, place);
-        if (!isTied && Write && key == this->KeyInside)
-        {
-          this->WriteInside(around, i, item, found, inside, place);
-        }
-        else if (!isTied && Write)
+        if (!isTied && Write)
         {
           this->WriteCell(around, i, item, found, place);
         }
@@ -850,23 +941,60 @@ private:
         }
         if (!Write && place.Simplices != before.Simplices)
         {
-          this->NoteGiven(local, i, 1);
+          this->NoteGiven(local, { i, i + 1 }, 1);
         }
         else if (!Write && place.Triangles != before.Triangles)
         {
-          this->NoteGiven(local, i, std::max<std::uint8_t>(local.Gave[i], 2));
+          this->NoteGiven(local, { i, i + 1 }, std::max<std::uint8_t>(local.Gave[i], 2));
         }
       }
     }
   }
 
-  // Notes that a cell gives output.
-  static void NoteGiven(Local& local, vtkIdType i, std::uint8_t mark)
+  // Returns the end of the cells from \a first on that are inside of an interval, finite and not
+  // tied.
+  vtkIdType FindEndInside(
+    const Local& local, const Around& around, vtkIdType first, vtkIdType last) const
   {
-    local.Gave[i] = mark;
-    const bool isFirst = local.Given[0] == local.Given[1];
-    local.Given = { isFirst ? i : std::min(local.Given[0], i),
-      isFirst ? i + 1 : std::max(local.Given[1], i + 1) };
+    const vtkIdType end =
+      around.IsFinite ? ExtractionKernels::FindChange(local.Keys.data(), first, last) : first + 1;
+    if (!around.HasTies)
+    {
+      return end;
+    }
+    // A cell ends at the column after it.
+    const vtkIdType tie = ExtractionKernels::FindOdd(around.Codes, first, end + 1);
+    return tie > end ? end : std::max(first, tie - 1);
+  }
+
+  // Counts or writes cells inside of an interval. Without ties they have no boundary.
+  template <bool Write>
+  void ProcessInside(Local& local, const Around& around, const ColumnRange& cells, int item,
+    const vtkIsotable::Case& found, CellInside& inside, RowCount& place)
+  {
+    if (!Write)
+    {
+      place.Simplices += (cells.Last - cells.First) * found.Simplices.size();
+      this->NoteGiven(local, cells, 1);
+      return;
+    }
+    for (vtkIdType i = cells.First; i < cells.Last;)
+    {
+      this->WriteInside(around, i, item, found, inside, place);
+      const vtkIdType next =
+        this->Orientation.IsPerCell() ? i + 1 : FindBreak(around, i, cells.Last);
+      this->WriteRun(around, { i + 1, next }, item, found.Simplices.size(), inside, place);
+      i = next;
+    }
+  }
+
+  // Notes that cells give output.
+  static void NoteGiven(Local& local, const ColumnRange& cells, std::uint8_t mark)
+  {
+    std::fill(local.Gave.begin() + cells.First, local.Gave.begin() + cells.Last, mark);
+    const bool isFirst = local.Given.First == local.Given.Last;
+    local.Given = { isFirst ? cells.First : std::min(local.Given.First, cells.First),
+      isFirst ? cells.Last : std::max(local.Given.Last, cells.Last) };
   }
 
   // Returns whether no criterion leaves a corner of a cell out.
@@ -902,7 +1030,7 @@ private:
     }
     else
     {
-      this->NoteGiven(local, i, 1);
+      this->NoteGiven(local, { i, i + 1 }, 1);
     }
     ++place.Whole;
   }
@@ -917,25 +1045,31 @@ private:
   }
 
   // Returns the output id of a slot.
-  vtkIdType GetId(const Around& around, vtkIdType i, const ExtractionValues::Item& item,
-    const Code* codes, Slot slot) const
+  vtkIdType GetId(
+    const Around& around, vtkIdType i, const ExtractionValues::Item& item, Slot slot) const
   {
     const SlotPlace& at = this->Places[slot];
     const SlotRow& row = around.Slots[slot];
-    vtkIdType id = row.First + row.Starts[i];
-    if (at.Direction != 0)
+    const vtkIdType id = row.First + row.Starts[i] + row.Offsets[i];
+    if (!at.MayFollow)
     {
-      id += row.Offsets[i] + (at.Kind == 0 ? item.Lower : item.Upper) -
-        ExtractionValues::GetFirstCrossing(codes[at.Ends[0]], codes[at.Ends[1]]);
+      return id;
     }
-    return id;
+    return id + (at.Kind == 0 ? item.Lower : item.Upper) -
+      ExtractionValues::GetFirstCrossing(
+        GetCode(around, i, at.Ends[0]), GetCode(around, i, at.Ends[1]));
+  }
+
+  static Code GetCode(const Around& around, vtkIdType i, int vertex)
+  {
+    return around.Codes[vertex >> 1][i + (vertex & 1)];
   }
 
   void GetCodes(const Around& around, vtkIdType i, Code* codes) const
   {
     for (int v = 0; v < 8; ++v)
     {
-      codes[v] = around.Codes[v >> 1][i + (v & 1)];
+      codes[v] = GetCode(around, i, v);
     }
   }
 
@@ -956,12 +1090,11 @@ private:
   void WriteCell(
     const Around& around, vtkIdType i, int item, const vtkIsotable::Case& found, RowCount& place)
   {
-    Code codes[8];
-    this->GetCodes(around, i, codes);
+    const auto& what = this->Values.GetItems()[item];
     vtkIdType ids[vtkIsotable::MaximumNumberOfSlots];
     for (const Slot slot : found.Slots)
     {
-      ids[slot] = this->GetId(around, i, this->Values.GetItems()[item], codes, slot);
+      ids[slot] = this->GetId(around, i, what, slot);
     }
     this->Use(found.Slots.data(), found.Slots.size(), ids);
     const bool isInverted = this->IsInverted(around, i);
@@ -994,7 +1127,7 @@ private:
     this->Use(found.Slots.data(), found.Slots.size(), before.Corners);
     if (isNext)
     {
-      this->Mesh.Simplices.WriteNext(place.Simplices, number);
+      this->Mesh.Simplices.WriteNext(place.Simplices, number, 1);
     }
     else
     {
@@ -1003,6 +1136,58 @@ private:
     }
     this->Mesh.NoteSimplices(place.Simplices, number, item, around.FirstCell + i);
     place.Simplices += static_cast<vtkIdType>(number);
+  }
+
+  // Returns the end of the cells inside after the first each of whose points has an id one more
+  // than that of the cell before.
+  static vtkIdType FindBreak(const Around& around, vtkIdType first, vtkIdType last)
+  {
+    // Vertices 0, 2, 4 and 6 are at the columns' beginnings, in the four rows.
+    const std::uint32_t* starts[4];
+    for (int r = 0; r < 4; ++r)
+    {
+      starts[r] = around.Slots[2 * r].Starts;
+    }
+    const auto isNext = [&starts](vtkIdType i)
+    {
+      return starts[0][i] == starts[0][i - 1] + 1 && starts[1][i] == starts[1][i - 1] + 1 &&
+        starts[2][i] == starts[2][i - 1] + 1 && starts[3][i] == starts[3][i - 1] + 1;
+    };
+    vtkIdType i = first + 1;
+    while (i <= last && isNext(i))
+    {
+      ++i;
+    }
+    // The last cell's points end a column later.
+    return std::max(first + 1, i - 1);
+  }
+
+  // Writes cells inside of an interval that follow one, where each id is one more than that of the
+  // cell before.
+  void WriteRun(const Around& around, const ColumnRange& cells, int item, std::size_t number,
+    CellInside& before, RowCount& place)
+  {
+    const vtkIdType length = cells.Last - cells.First;
+    if (length == 0)
+    {
+      return;
+    }
+    this->Mesh.Simplices.WriteNext(place.Simplices, number, length);
+    this->Mesh.NoteRun(place.Simplices, number, length, item, around.FirstCell + cells.First);
+    place.Simplices += static_cast<vtkIdType>(number) * length;
+    before.Column += length;
+    // The last cell's points end a column later; each row's are those of two corners.
+    for (int v = 0; this->MarksUsed && v < 8; v += 2)
+    {
+      for (vtkIdType id = before.Corners[v] + 1; id <= before.Corners[v] + length + 1; ++id)
+      {
+        this->Use(id);
+      }
+    }
+    for (vtkIdType& corner : before.Corners)
+    {
+      corner += length;
+    }
   }
 
   void WriteTriangle(const Around& around, vtkIdType i, int item,
@@ -1040,7 +1225,7 @@ private:
     vtkIdType ids[vtkIsotable::MaximumNumberOfSlots];
     const auto use = [&](Slot slot)
     {
-      ids[slot] = this->GetId(around, i, what, codes, slot);
+      ids[slot] = this->GetId(around, i, what, slot);
       this->Use(ids[slot]);
     };
     const bool isInverted = this->IsInverted(around, i);
@@ -1088,7 +1273,11 @@ private:
   std::vector<int> PointsBelow;
   std::vector<RowCount> Offsets;
   // The columns [first, last) of a row of cells that give output.
-  std::vector<std::array<vtkIdType, 2>> Columns;
+  std::vector<ColumnRange> Columns;
+  // What a grid point that is a point of the output adds to its own place.
+  std::vector<Code> Zeros;
+  // How many rows of owners a thread keeps of a layer.
+  vtkIdType OwnerRows;
   bool MarksUsed = false;
   // All rows of codes, where they are kept.
   ExtractionBuffer<Code> AllCodes;
