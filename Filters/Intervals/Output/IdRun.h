@@ -4,7 +4,6 @@
 
 #include "vtkType.h"
 
-#include <cstddef>
 #include <cstdint>
 
 #if defined(__SSE2__) || defined(_M_X64)
@@ -42,17 +41,18 @@ public:
   static void FillMultiples(Id* out, Id step, vtkIdType first, vtkIdType last, bool isStreamed)
   {
 #if defined(INTERLUME_HAS_STREAMS)
-    if constexpr (sizeof(Id) == sizeof(vtkTypeInt32))
+    if (sizeof(Id) == sizeof(vtkTypeInt32) && isStreamed)
     {
-      while (isStreamed && first < last && !IsAligned(out + first))
+      while (first < last && !IsAligned(out + first))
       {
         out[first] = static_cast<Id>(first) * step;
         ++first;
       }
-      const Id next = static_cast<Id>(first) * step;
-      __m128i four = _mm_setr_epi32(next, next + step, next + 2 * step, next + 3 * step);
-      const __m128i fourSteps = _mm_set1_epi32(4 * step);
-      for (; isStreamed && first + 4 <= last; first += 4)
+      const int one = static_cast<int>(step);
+      const int next = static_cast<int>(first) * one;
+      __m128i four = _mm_setr_epi32(next, next + one, next + 2 * one, next + 3 * one);
+      const __m128i fourSteps = _mm_set1_epi32(4 * one);
+      for (; first + 4 <= last; first += 4)
       {
         _mm_stream_si128(reinterpret_cast<__m128i*>(out + first), four);
         four = _mm_add_epi32(four, fourSteps);

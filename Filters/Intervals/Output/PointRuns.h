@@ -18,8 +18,6 @@ namespace interlume
 class PointRuns
 {
 public:
-  using Run = std::array<vtkIdType, 2>;
-
   /// Finds the points of \a number whose marks are not 0.
   template <typename Mark>
   PointRuns(const Mark* marks, vtkIdType number)
@@ -35,7 +33,6 @@ public:
     }
   }
 
-  const std::vector<Run>& Get() const { return this->Runs; }
   /// Returns how many points stay.
   vtkIdType GetNumber() const { return this->Number; }
 
@@ -46,7 +43,10 @@ public:
     T* out = values;
     for (const Run& run : this->Runs)
     {
-      out = std::copy(values + run[0] * size, values + run[1] * size, out);
+      T* const first = values + run[0] * size;
+      T* const last = values + run[1] * size;
+      // What is in its place already stays there.
+      out = out == first ? last : std::copy(first, last, out);
     }
   }
 
@@ -65,6 +65,8 @@ public:
   }
 
 private:
+  using Run = std::array<vtkIdType, 2>;
+
   std::vector<Run> Runs;
   vtkIdType Number = 0;
 };

@@ -163,11 +163,11 @@ public:
     , KeyInside(static_cast<Code>(ExtractionCell::GetKeyInside(8)))
     , WholeType(GetTypeInRows(context.Input))
     , PointsBelow(1, 0)
+    , Zeros(this->Nx, 0)
     , OwnerRows(static_cast<std::size_t>(2 * this->Nx * this->Ny) * BytesOfOwner > MostBytesOfOwners
           ? 2
           : this->Ny)
   {
-    this->Zeros.assign(this->Nx, 0);
     for (int code = 0; code <= this->Values.GetNonFiniteCode(); ++code)
     {
       this->PointsBelow.push_back(
@@ -580,9 +580,10 @@ private:
     }
     ExtractionPoint* const begin = local.Points.data();
     ExtractionPoint* out = begin;
-    const Code* here = this->GetCodes(local, j, k).Codes;
-    const Code* along = j + 1 < this->Ny ? this->GetCodes(local, j + 1, k).Codes : here;
-    const Code* above = k + 1 < this->Nz ? this->GetCodes(local, j, k + 1).Codes : here;
+    const auto rows = this->GetOwnerCodes(local, j, k);
+    const Code* here = rows[0]->Codes;
+    const Code* along = rows[1]->Codes;
+    const Code* above = rows[2]->Codes;
     const vtkIdType first = this->Rows.GetFirstPoint(row);
     for (vtkIdType i = owners.Range.First; i < owners.Range.Last; ++i)
     {
