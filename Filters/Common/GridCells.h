@@ -6,8 +6,11 @@
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCell.h"
+#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkGenericCell.h"
+#include "vtkNew.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -51,6 +54,30 @@ public:
   {
     vtkDataArray* stored = GetStoredTypes(grid);
     return stored ? ArrayViews::Get<Types>(stored) : vtkSmartPointer<Types>::New();
+  }
+
+  /// Gives \a grid cells of one type. Where VTK keeps a type for each cell, \a allocate(types,
+  /// number) sets the size of their array, which several threads then fill, \a grain cells at a
+  /// time.
+  template <class Allocate>
+  static void SetCellsOfOneType(vtkUnstructuredGrid* grid, unsigned char type, vtkCellArray* cells,
+    vtkIdType grain, Allocate allocate)
+  {
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+    static_cast<void>(grain);
+    static_cast<void>(allocate);
+    grid->SetCells(type, cells);
+#else
+    vtkNew<vtkUnsignedCharArray> types;
+    const vtkIdType number = cells->GetNumberOfCells();
+    allocate(types.Get(), number);
+    unsigned char* const values = types->GetPointer(0);
+    vtkSMPTools::For(0, number, grain,
+      [values, type](vtkIdType first, vtkIdType last)
+      { std::fill(values + first, values + last, type); });
+    // Without arrays of faces VTK looks for polyhedra among all types.
+    grid->SetCells(types, cells, nullptr, nullptr);
+#endif
   }
 
   /// Returns whether all of \a number cells are of one type; there is at least one.

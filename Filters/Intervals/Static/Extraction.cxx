@@ -3,6 +3,7 @@
 
 #include "Arrays/ExtractionArrays.h"
 #include "Arrays/PointArrays.h"
+#include "Common/GridCells.h"
 #include "Grid/WholeCells.h"
 #include "Scalars/ExtractionDispatch.h"
 #include "Soup/SoupArrays.h"
@@ -23,9 +24,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkVersion.h"
 
 #include <algorithm>
 #include <optional>
@@ -67,24 +66,6 @@ void AddPointOrigins(const ExtractionBuffer<ExtractionPoint>& points, vtkPointDa
     });
   AddNamed(output, ends, "OriginPoints");
   AddNamed(output, weights, "OriginWeight");
-}
-
-// Gives simplices to the output. Newer VTK keeps one type for all; older VTK would fill an array in
-// new memory by one thread.
-void SetCells(unsigned char type, SimplexList& simplices, vtkUnstructuredGrid* output)
-{
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
-  output->SetCells(type, simplices.MakeCells());
-#else
-  vtkNew<vtkUnsignedCharArray> types;
-  ExtractionMemory::SetNumberOfTuples(types, simplices.GetNumber());
-  unsigned char* const values = types->GetPointer(0);
-  vtkSMPTools::For(0, simplices.GetNumber(), ThreadGrain,
-    [values, type](vtkIdType first, vtkIdType last)
-    { std::fill(values + first, values + last, type); });
-  // Without arrays of faces VTK looks for polyhedra among all types.
-  output->SetCells(types, simplices.MakeCells(), nullptr, nullptr);
-#endif
 }
 
 void AddCellOrigins(const vtkIdType* cells, std::size_t number, vtkCellData* output)
@@ -261,7 +242,10 @@ void Extraction::FillOutput(const ExtractionContext& context, ExtractionMesh& me
   }
   else
   {
-    SetCells(context.GetSimplexSize() == 4 ? VTK_TETRA : VTK_TRIANGLE, mesh.Simplices, output);
+    GridCells::SetCellsOfOneType(output, context.GetSimplexSize() == 4 ? VTK_TETRA : VTK_TRIANGLE,
+      mesh.Simplices.MakeCells(), ThreadGrain,
+      [](vtkUnsignedCharArray* types, vtkIdType number)
+      { ExtractionMemory::SetNumberOfTuples(types, number); });
   }
   if (context.Soup && context.Soup->IsAllocated())
   {
