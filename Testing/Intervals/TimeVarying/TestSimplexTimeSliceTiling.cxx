@@ -216,8 +216,10 @@ void CheckAtStep(Check& check)
   }
   check.SetContext("AtStep");
   grid->GetCellData()->AddArray(atStep);
-  const vtkIdType some = SliceAt(grid, level)->GetNumberOfCells();
+  const auto slice = SliceAt(grid, level);
+  const vtkIdType some = slice->GetNumberOfCells();
   check.That(0 < some && some < faces->GetNumberOfCells(), "some faces count");
+  check.That(!slice->GetCellData()->HasArray("AtStep"), "a slice has no AtStep");
   for (const Tetrahedron& face : TetrahedraOf(faces))
   {
     const SimplexIds ids = { { face[0], face[1], face[2], face[3], face[3] } };
