@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # interlume_test_room(ROOM
 #   [TESTS FILE...]            tests of values; label value and quick
+#   [SLOW FILE...]             tests of values that take ten seconds and more; label value
 #   [DRAWN FILE...]            tests that draw and so need a display; label value
 #   [QUICK_DRAWN FILE...]      the same, with the label quick as well
 #   [SOURCES FILE...]          what tests of this room share
@@ -22,9 +23,9 @@ endmacro ()
 
 function (interlume_add_test_room room)
   cmake_parse_arguments(PARSE_ARGV 1 arg ""
-    "" "TESTS;DRAWN;QUICK_DRAWN;SOURCES;PRIVATE_PARTS;LIBRARIES")
+    "" "TESTS;SLOW;DRAWN;QUICK_DRAWN;SOURCES;PRIVATE_PARTS;LIBRARIES")
   set(program Interlume${room}Tests)
-  set(files ${arg_TESTS} ${arg_DRAWN} ${arg_QUICK_DRAWN})
+  set(files ${arg_TESTS} ${arg_SLOW} ${arg_DRAWN} ${arg_QUICK_DRAWN})
   set(drawn ${arg_DRAWN} ${arg_QUICK_DRAWN})
   set(names)
   foreach (file IN LISTS files)
@@ -58,7 +59,7 @@ function (interlume_add_test_room room)
     get_filename_component(test "${file}" NAME_WE)
     add_test(NAME ${test} COMMAND ${program} ${test})
     set(labels value)
-    if (NOT file IN_LIST arg_DRAWN)
+    if (NOT file IN_LIST arg_DRAWN AND NOT file IN_LIST arg_SLOW)
       list(APPEND labels quick)
     endif ()
     set_tests_properties(${test} PROPERTIES

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # interlume_precompile(): where INTERLUME_PRECOMPILE_HEADERS is on, the headers that most files include are
 # read once for the libraries of all modules and of their wrappers, and once for each other target that has
-# so many files that it wins by it. To be called when all targets are known.
+# so many files that it wins by it. To be called when all targets are known. Clang's tools take no precompiled
+# headers of GCC: they need the compilation database of a build without, as of the preset debug.
 set(interlume_precompiled_headers
   <algorithm> <array> <cmath> <cstdint> <functional> <iostream> <limits> <map> <memory> <numeric> <sstream>
   <string> <unordered_map> <vector>
