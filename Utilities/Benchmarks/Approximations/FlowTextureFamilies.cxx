@@ -133,7 +133,7 @@ void AddVoxelRows(const Question& question, const BenchOptions& options, BenchRo
 void AddSampleRows(const Question& question, const BenchOptions& options, BenchRows& rows)
 {
   Scene scene(options);
-  const int points = options.Pick(65, 33, 9);
+  const int points = options.Pick(129, 33, 9);
   scene.SetSize("voxels along an edge", points);
   auto voxels = reference::MakeFlowVoxels(points, &Bent);
   const double voxel = voxels->GetSpacing()[0];
