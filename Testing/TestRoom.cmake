@@ -53,6 +53,10 @@ function (interlume_add_test_room room)
       MODULES VTK::RenderingCore VTK::RenderingOpenGL2 VTK::RenderingVolumeOpenGL2)
   endif ()
 
+  set(seconds 300)
+  if (INTERLUME_SANITIZE)
+    set(seconds 1800)
+  endif ()
   # Which interlume_stability_tests of this folder need.
   set(interlume_room_program ${program} PARENT_SCOPE)
   foreach (file IN LISTS files)
@@ -65,7 +69,7 @@ function (interlume_add_test_room room)
     set_tests_properties(${test} PROPERTIES
       LABELS "${labels}"
       FAIL_REGULAR_EXPRESSION " ERR\\|; WARN\\|;FATL\\|"
-      TIMEOUT 300)
+      TIMEOUT ${seconds})
     # What OpenGL's driver keeps cannot be told from a leak, since it is unloaded before leaks are
     # looked for.
     if (INTERLUME_SANITIZE AND file IN_LIST drawn)
