@@ -28,6 +28,7 @@
 #include <exception>
 #include <iostream>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -171,13 +172,14 @@ void Measure(const std::vector<std::string>& names, const gallery::CostSettings&
   BenchOptions options;
   options.Threads = vtkSMPTools::GetEstimatedNumberOfThreads();
   BenchResults results = BenchResults::Here(options);
-  std::string command = "interlume-bench-costs --width " + std::to_string(settings.Width) +
-    " --height " + std::to_string(settings.Height) + " --pairs " + std::to_string(settings.Pairs);
+  std::ostringstream command;
+  command << "interlume-bench-costs --width " << settings.Width << " --height " << settings.Height
+          << " --pairs " << settings.Pairs << " --limit " << settings.Limit;
   for (const std::string& name : names)
   {
-    command += " " + name;
+    command << ' ' << name;
   }
-  results.Conditions["command"] = command;
+  results.Conditions["command"] = command.str();
   SceneRows scenes;
   const gallery::Stopwatch watch;
   for (const gallery::Scene& scene : gallery::AllScenes())
