@@ -8,6 +8,7 @@
 
 #include "vtkAxis.h"
 #include "vtkBrush.h"
+#include "vtkChartLegend.h"
 #include "vtkChartXY.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -254,6 +255,32 @@ double CompareInk(const std::vector<bool>& one, const std::vector<bool>& other)
   return static_cast<double>(differ) / either;
 }
 
+/// The legend stands where no lines are: of lines that rise not at the top right, of lines that end
+/// in two corners in a third.
+void CheckLegend()
+{
+  BenchPlot plot;
+  plot.LogX = plot.LogY = true;
+  const auto stands = [&plot](int horizontal, int vertical)
+  {
+    vtkNew<vtkChartXY> chart;
+    FillChart(chart, plot);
+    return chart->GetLegend()->GetHorizontalAlignment() == horizontal &&
+      chart->GetLegend()->GetVerticalAlignment() == vertical;
+  };
+  plot.AddPoint("fall", false, 1.5, 800.0);
+  plot.AddPoint("fall", false, 800.0, 1.5);
+  Expect(stands(vtkChartLegend::RIGHT, vtkChartLegend::TOP), "above lines that fall");
+  plot.AddPoint("rise", false, 1.5, 1.5);
+  plot.AddPoint("rise", false, 800.0, 800.0);
+  plot.AddPoint("again", false, 800.0, 800.0);
+  plot.AddPoint("again", false, 800.0, 1.5);
+  Expect(stands(vtkChartLegend::LEFT, vtkChartLegend::TOP), "beside lines on the right");
+  plot.AllSeries.erase(plot.AllSeries.begin());
+  plot.AllSeries.pop_back();
+  Expect(stands(vtkChartLegend::RIGHT, vtkChartLegend::BOTTOM), "below lines that rise");
+}
+
 /// Series are told apart without colours: lines by their marks' shapes, bars by their greys.
 void CheckGreys()
 {
@@ -332,6 +359,7 @@ int main()
   CheckRows();
   CheckClocks();
   CheckChart();
+  CheckLegend();
   CheckGreys();
   CheckDashes();
   return Right ? EXIT_SUCCESS : EXIT_FAILURE;

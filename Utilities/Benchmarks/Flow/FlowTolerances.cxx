@@ -197,8 +197,6 @@ void AddPoint(const BenchRow& row, bool isOwn, bool isTime, std::vector<BenchPlo
       (isTime ? "time" : "place") + " at which a streamline of " + row.Case + " ends?";
     fresh.Conditions = "vtkImplicitFlowField at tolerances over the largest speed, vtkStreamTracer "
                        "at steps and tolerances; ends against the streamlines themselves.";
-    // The peer ends at the top right, where the legend would be.
-    fresh.Rises = true;
     plot = plots.insert(plots.end(), fresh);
   }
   plot->AddPoint(isOwn ? row.Method : std::string(Peer) + " " + row.Method, !isOwn, *row.Seconds,

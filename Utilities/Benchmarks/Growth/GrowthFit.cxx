@@ -186,7 +186,6 @@ std::vector<BenchPlot> MakeGrowthPlots(
     plot.YLabel = "processor time (s), memory (MiB)";
     plot.LogX = true;
     plot.LogY = true;
-    plot.Rises = quantity.Time.Most > 0.0;
     for (const BenchRow& row : rows)
     {
       if (row.Case == quantity.Name && row.Method == OfTime.Method)

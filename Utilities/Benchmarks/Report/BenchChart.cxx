@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Report/BenchChart.h"
 
+#include "Benchmarks/Report/LegendCorner.h"
 #include "Benchmarks/Report/MarkedLine.h"
 #include "Benchmarks/Report/PointNames.h"
 #include "Benchmarks/Results/BenchPlot.h"
@@ -249,17 +250,20 @@ void FillChart(vtkChartXY* chart, const BenchPlot& plot)
   chart->SetShowLegend(true);
   chart->GetLegend()->GetLabelProperties()->SetFontSize(18);
   chart->GetLegend()->GetBrush()->SetColor(255, 255, 255, 230);
-  chart->GetLegend()->SetVerticalAlignment(
-    plot.Rises ? vtkChartLegend::BOTTOM : vtkChartLegend::TOP);
-  SetRange(
-    chart->GetAxis(vtkAxis::LEFT), RangeOf(plot, &BenchPlot::Series::Y, plot.LogY), plot.LogY);
+  const std::array<double, 2> y = RangeOf(plot, &BenchPlot::Series::Y, plot.LogY);
+  SetRange(chart->GetAxis(vtkAxis::LEFT), y, plot.LogY);
   if (plot.Kind == BenchPlot::BARS)
   {
     AddBars(chart, plot);
     return;
   }
-  SetRange(
-    chart->GetAxis(vtkAxis::BOTTOM), RangeOf(plot, &BenchPlot::Series::X, plot.LogX), plot.LogX);
+  const std::array<double, 2> x = RangeOf(plot, &BenchPlot::Series::X, plot.LogX);
+  SetRange(chart->GetAxis(vtkAxis::BOTTOM), x, plot.LogX);
+  const LegendCorner corner = FindLegendCorner(plot, x, y);
+  chart->GetLegend()->SetHorizontalAlignment(
+    corner.IsRight ? vtkChartLegend::RIGHT : vtkChartLegend::LEFT);
+  chart->GetLegend()->SetVerticalAlignment(
+    corner.IsTop ? vtkChartLegend::TOP : vtkChartLegend::BOTTOM);
   if (plot.HasFront)
   {
     AddFront(chart, plot);

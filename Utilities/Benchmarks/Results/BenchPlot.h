@@ -44,8 +44,6 @@ struct BenchPlot
   std::string YLabel;
   bool LogX = false;
   bool LogY = false;
-  /// Whether lines end at the top right, so that the legend is better at the bottom.
-  bool Rises = false;
   /// Whether X is what something costs and Y how wrong it is, so that the points that no other is
   /// better than in both are a front, which is drawn: see ErrorFront.h.
   bool HasFront = false;

@@ -60,7 +60,6 @@ std::vector<BenchPlot> MakeThroughputPlots(const std::vector<BenchRow>& rows)
   plot.YLabel = "4-simplices a second";
   plot.LogX = true;
   plot.LogY = true;
-  plot.Rises = true;
   for (const BenchRow& row : rows)
   {
     if (row.Method == "throughput" && row.Counts["simplices"].get<double>() > 0.0)
