@@ -50,6 +50,8 @@ void Define(CLI::App& app, Arguments& arguments, const std::vector<std::string>&
   app.add_option("SUITE", arguments.Suites, "Suites to run")->check(CLI::IsMember(names));
   app.add_option("--json", arguments.Json, "Write the rows to this file");
   app.add_option("--plots", arguments.Plots, "Draw the plots into this folder");
+  app.add_option("--from", arguments.From, "Rows of an earlier run, instead of running again")
+    ->check(CLI::ExistingFile);
   app.add_flag("--quick", arguments.Quick, "Smaller cases: under 45 s a suite on two cores");
   app.add_option("--threads", arguments.Options.Threads, "Threads that 'all' stands for")
     ->check(CLI::Range(1, 4096))
@@ -65,8 +67,6 @@ void Define(CLI::App& app, Arguments& arguments, const std::vector<std::string>&
   CLI::App* report = app.add_subcommand("report", "Run every suite and write one page of it");
   report->fallthrough();
   report->add_option("--out", arguments.Out, "Folder of the page")->required();
-  report->add_option("--from", arguments.From, "Rows of an earlier run, instead of running again")
-    ->check(CLI::ExistingFile);
   report->add_option("--stability", arguments.Stability, "Folder of the stability cases")
     ->capture_default_str();
   report
@@ -75,18 +75,33 @@ void Define(CLI::App& app, Arguments& arguments, const std::vector<std::string>&
   report->callback([&arguments]() { arguments.Report = true; });
 }
 
-void Run(const BenchSuite& suite, const BenchOptions& options, BenchResults& results)
+/// The results that the suites add theirs to: of an earlier run, or none.
+BenchResults Start(const Arguments& arguments)
 {
-  BenchRows rows(suite.GetName());
-  const BenchSeconds took = TimeOnce(
-    [&]()
-    {
-      suite.Run(options, rows);
-      return vtkSmartPointer<vtkObjectBase>();
-    });
-  results.Rows.insert(results.Rows.end(), rows.Get().begin(), rows.Get().end());
-  results.Suites[suite.GetName()]["took"] = std::round(took);
-  results.SetClaims(suite.GetName(), suite.CheckClaims(rows.Get()));
+  return arguments.From.empty() ? BenchResults::Here(arguments.Options)
+                                : BenchResults::Read(arguments.From);
+}
+
+/// Adds the suite's rows, where they are not there from an earlier run, and what is wanted of them.
+void Run(const BenchSuite& suite, const Arguments& arguments, BenchResults& results)
+{
+  if (arguments.From.empty())
+  {
+    BenchRows rows(suite.GetName());
+    const BenchSeconds took = TimeOnce(
+      [&]()
+      {
+        suite.Run(arguments.Options, rows);
+        return vtkSmartPointer<vtkObjectBase>();
+      });
+    results.Rows.insert(results.Rows.end(), rows.Get().begin(), rows.Get().end());
+    results.Suites[suite.GetName()]["took"] = std::round(took);
+  }
+  const std::vector<BenchRow> rows = results.RowsOf(suite.GetName());
+  if (arguments.From.empty() || !rows.empty())
+  {
+    results.SetClaims(suite.GetName(), suite.CheckClaims(rows));
+  }
 }
 
 const BenchSuite& Find(const Suites& suites, const std::string& name)
@@ -106,15 +121,11 @@ void WriteReport(const Suites& suites, const Arguments& arguments)
 {
   // First, since it fails where there are none, and the suites take long.
   const std::vector<StabilityCase> cases = StabilityCatalogue::Gather(arguments.Stability);
-  BenchResults results = arguments.From.empty() ? BenchResults::Here(arguments.Options)
-                                                : BenchResults::Read(arguments.From);
+  BenchResults results = Start(arguments);
   const PlotDrawer drawer(arguments.Out, CaptionOf(results));
-  if (arguments.From.empty())
+  for (const auto& suite : suites)
   {
-    for (const auto& suite : suites)
-    {
-      Run(*suite, arguments.Options, results);
-    }
+    Run(*suite, arguments, results);
   }
   const std::filesystem::path folder = arguments.Out;
   results.Write((folder / "rows.json").string());
@@ -136,7 +147,7 @@ void WriteReport(const Suites& suites, const Arguments& arguments)
 
 void RunSuites(const Suites& suites, const Arguments& arguments)
 {
-  BenchResults results = BenchResults::Here(arguments.Options);
+  BenchResults results = Start(arguments);
   std::unique_ptr<PlotDrawer> drawer;
   if (!arguments.Plots.empty())
   {
@@ -145,7 +156,7 @@ void RunSuites(const Suites& suites, const Arguments& arguments)
   for (const std::string& name : arguments.Suites)
   {
     const BenchSuite& suite = Find(suites, name);
-    Run(suite, arguments.Options, results);
+    Run(suite, arguments, results);
     if (drawer)
     {
       drawer->Draw(suite.MakePlots(results.RowsOf(name)));

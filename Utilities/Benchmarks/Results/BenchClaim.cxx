@@ -4,21 +4,52 @@
 #include "Benchmarks/Measures/BenchTiming.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace
 {
+/// A row's case, and what tells it from the others of the same case.
+std::string NameAmong(const std::vector<const BenchRow*>& rows, const BenchRow& row)
+{
+  const auto differs = [&](const auto& get)
+  {
+    return std::any_of(rows.begin(), rows.end(),
+      [&](const BenchRow* other) { return other->Case == row.Case && get(*other) != get(row); });
+  };
+  std::string name = row.Case;
+  if (differs([](const BenchRow& one) { return one.Method; }))
+  {
+    name += ", " + row.Method;
+  }
+  if (differs([](const BenchRow& one) { return one.Parameter; }))
+  {
+    name += ", " + row.GetParameterText();
+  }
+  if (differs([](const BenchRow& one) { return one.Peer; }))
+  {
+    name += ", " + row.Peer;
+  }
+  return name;
+}
+
 BenchClaim MakeClaim(const std::string& text, const std::vector<BenchRow>& rows,
   const std::function<std::optional<double>(const BenchRow&)>& number,
   const std::function<bool(double)>& isMet)
 {
   BenchClaim claim;
   claim.Text = text;
+  std::vector<const BenchRow*> concerned;
   for (const BenchRow& row : rows)
   {
     if (const std::optional<double> measured = number(row))
     {
-      claim.Cases.push_back({ row.Case, *measured, isMet(*measured) });
+      concerned.push_back(&row);
+      claim.Cases.push_back({ {}, *measured, isMet(*measured) });
     }
+  }
+  for (std::size_t i = 0; i < concerned.size(); ++i)
+  {
+    claim.Cases[i].Case = NameAmong(concerned, *concerned[i]);
   }
   return claim;
 }

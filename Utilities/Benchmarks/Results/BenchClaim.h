@@ -33,7 +33,8 @@ struct BenchClaim
 
   /**
    * The claim that \a number of every row is at least, or at most, \a bound; rows of which \a
-   * number is nothing are not concerned.
+   * number is nothing are not concerned. Rows of one case are told apart by method,
+   * parameter and peer.
    */
   static BenchClaim AtLeast(const std::string& text, double bound,
     const std::vector<BenchRow>& rows,

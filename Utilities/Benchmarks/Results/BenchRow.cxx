@@ -2,6 +2,8 @@
 #include "Benchmarks/Results/BenchRow.h"
 
 #include <iostream>
+#include <limits>
+#include <sstream>
 
 namespace
 {
@@ -40,9 +42,15 @@ std::optional<BenchSeconds> SecondsIn(const nlohmann::ordered_json& json, const 
     : std::nullopt;
 }
 
+/// JSON has no number for what is not one, and writes null.
+double NumberOf(const nlohmann::ordered_json& json)
+{
+  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
 std::optional<double> NumberIn(const nlohmann::ordered_json& json, const char* name)
 {
-  return json.contains(name) ? std::optional<double>(json.at(name).get<double>()) : std::nullopt;
+  return json.contains(name) ? std::optional<double>(NumberOf(json.at(name))) : std::nullopt;
 }
 
 std::ostream& operator<<(std::ostream& os, const BenchRow& row)
@@ -74,6 +82,12 @@ std::ostream& operator<<(std::ostream& os, const BenchRow& row)
 
 std::string BenchRow::GetParameterText() const
 {
+  if (this->Parameter.is_number_float())
+  {
+    std::ostringstream text;
+    text << this->Parameter.get<double>();
+    return text.str();
+  }
   return this->Parameter.is_string() ? this->Parameter.get<std::string>() : this->Parameter.dump();
 }
 
@@ -127,6 +141,13 @@ BenchRow BenchRow::FromJson(const nlohmann::ordered_json& json)
   if (json.contains("counts"))
   {
     row.Counts = json.at("counts");
+    for (auto& count : row.Counts)
+    {
+      if (count.is_null())
+      {
+        count = NumberOf(count);
+      }
+    }
   }
   return row;
 }

@@ -31,7 +31,7 @@ struct BenchRow
   /// Named numbers.
   nlohmann::ordered_json Counts = nlohmann::ordered_json::object();
 
-  /// The parameter in words: text as it is, anything else as JSON.
+  /// The parameter in words: text as it is, a real number by six digits, anything else as JSON.
   std::string GetParameterText() const;
 
   /// PeerSeconds / Seconds: above 1 the method is faster than the peer.

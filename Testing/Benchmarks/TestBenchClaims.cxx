@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Claims of a suite: which rows they concern, whether they are met, and how rows are named; of rows
+// that were written and read too, also where what was measured is no number.
+#include "Benchmarks/Results/BenchClaim.h"
+#include "Reference/Checks/ReferenceCheck.h"
+
+#include <cmath>
+
+namespace
+{
+BenchRow MakeRow(const char* theCase, const char* method, const nlohmann::ordered_json& parameter)
+{
+  BenchRow row;
+  row.Case = theCase;
+  row.Method = method;
+  row.Parameter = parameter;
+  return row;
+}
+
+/// The names of the cases of a claim of all rows whose number is their position.
+std::string NamesOf(const std::vector<BenchRow>& rows)
+{
+  const auto number = [&rows](const BenchRow& row) -> std::optional<double>
+  { return static_cast<double>(&row - rows.data()); };
+  std::string names;
+  for (const BenchClaim::Measured& measured : BenchClaim::AtMost("few", 1.0, rows, number).Cases)
+  {
+    names += measured.Case + "; ";
+  }
+  return names;
+}
+}
+
+int main()
+{
+  reference::Check check;
+  const auto isNamed = [&check](const std::vector<BenchRow>& rows, const std::string& expected)
+  { check.That(NamesOf(rows) == expected, "named: " + NamesOf(rows)); };
+  isNamed({ MakeRow("disk", "a", 1), MakeRow("fin", "b", 2) }, "disk; fin; ");
+  isNamed({ MakeRow("disk", "a", 1), MakeRow("disk", "a", 2), MakeRow("fin", "a", 1) },
+    "disk, 1; disk, 2; fin; ");
+  isNamed({ MakeRow("disk", "a", "x"), MakeRow("disk", "b", "x") }, "disk, a; disk, b; ");
+  isNamed({ MakeRow("disk", "a", 1), MakeRow("disk", "b", 2) }, "disk, a, 1; disk, b, 2; ");
+  isNamed(
+    { MakeRow("disk", "a", 0.1), MakeRow("disk", "a", 0.1 * 0.1) }, "disk, 0.1; disk, 0.01; ");
+
+  std::vector<BenchRow> peers = { MakeRow("disk", "a", 1), MakeRow("disk", "a", 1) };
+  peers[0].Peer = "clip";
+  peers[1].Peer = "contour";
+  isNamed(peers, "disk, clip; disk, contour; ");
+
+  std::vector<BenchRow> rows = { MakeRow("disk", "a", 1), MakeRow("disk", "b", 2),
+    MakeRow("fin", "a", 1) };
+  rows[0].Counts["steps"] = 2;
+  rows[1].Counts["steps"] = 9;
+  const BenchClaim most = BenchClaim::AtMost("few", 2.0, rows, CountOf("a", "steps"));
+  check.Equal(most.Cases.size(), 1, "a row of another method or without the count");
+  check.That(most.IsMet() && most.Cases[0].Case == "disk", "the only one of its case");
+  check.That(
+    !BenchClaim::AtLeast("many", 2.5, rows, CountOf("a", "steps")).IsMet(), "below the bound");
+
+  rows[0].Error = std::nan("");
+  rows[0].Counts["steps"] = std::nan("");
+  const BenchRow read = BenchRow::FromJson(nlohmann::ordered_json::parse(rows[0].ToJson().dump()));
+  check.That(read.Error && std::isnan(*read.Error), "an error that is no number");
+  const BenchClaim missed = BenchClaim::AtMost("few", 2.0, { read }, CountOf("a", "steps"));
+  check.That(missed.Cases.size() == 1 && !missed.IsMet(), "a count that is none misses its bound");
+  return check.Result();
+}
