@@ -37,16 +37,13 @@ class Folder:
         (self.root / "Documentation" / "measurements.md").write_text("", encoding="utf-8")
         (self.root / "README.md").write_text("A\n<!-- measured: x -->\nold\n<!-- /measured -->\nB\n", encoding="utf-8")
 
-    def add(self, rows, version="9.1.0", suite="interval", transcribed="", claims=(), **conditions):
+    def add(self, rows, version="9.1.0", suite="interval", claims=(), **conditions):
         folder = self.data / ("vtk-" + version[:3])
         folder.mkdir(exist_ok=True)
         results = {"vtk": version, "rows": rows, "suites": {suite: {"took": 12, "claims": list(claims)}},
                    "machine": {"cpu": "one", "cores": 2, "memory_gib": 3.5, "smp": "TBB", "compiler": "gcc 12",
                                "build": "Release"},
-                   "conditions": {"date": "2026-01-02", "size": "quick", "threads": 2, "load": 0.25, "text": "by hand",
-                                  **conditions}}
-        if transcribed:
-            results["transcribed"] = transcribed
+                   "conditions": {"date": "2026-01-02", "size": "quick", "threads": 2, "load": 0.25, **conditions}}
         (folder / f"{suite}.json").write_text(json.dumps(results), encoding="utf-8")
 
     def run(self, *arguments):
@@ -107,12 +104,6 @@ class TestPages(unittest.TestCase):
         self.assertIn("| is faster | **missed**: disk-out 0.5 | wavelet-97 5 |", page)
         self.assertLess(page.index("is faster"), page.index("is fast |"))
 
-    def test_transcribed_is_said(self):
-        folder = Folder()
-        folder.add(FAST, transcribed="from elsewhere")
-        self.assertIn("† transcribed; VTK 9.1, by hand", folder.page())
-        self.assertIn("5 / 100 † |", folder.readme())
-
     def test_null_is_no_number(self):
         folder = Folder(page="{{table interval.speed}}\n\n{{claims interval}}\n")
         row = interval_row("wavelet-97", "clip2", 1.0, 5.0)
@@ -147,7 +138,7 @@ class TestPages(unittest.TestCase):
             Folder(page=words + "\n").run()
 
     def test_unknown_names_are_refused(self):
-        for field in ("{{table nothing.here}}", "{{value nothing}}", "{{record nothing.here}}", "{{nothing}}"):
+        for field in ("{{table nothing.here}}", "{{value nothing}}", "{{nothing}}"):
             with self.assertRaises(ValueError):
                 Folder(page=field + "\n").run()
 

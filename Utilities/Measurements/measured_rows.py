@@ -11,10 +11,7 @@ def short_version(version):
 
 
 class Run:
-    """What one JSON says of one suite: its rows, its claims, and the conditions they were measured under.
-
-    A run is transcribed where its numbers were typed from an earlier page; its JSON says from where.
-    """
+    """What one JSON says of one suite: its rows, its claims, and the conditions they were measured under."""
 
     def __init__(self, path, suite, results):
         self.path = path
@@ -22,7 +19,6 @@ class Run:
         self.version = short_version(results["vtk"])
         self.machine = results.get("machine", {})
         self.conditions = results.get("conditions", {})
-        self.transcribed = results.get("transcribed", "")
         about = results.get("suites", {}).get(suite, {})
         self.claims = about.get("claims", [])
         self.took = about.get("took")
@@ -37,16 +33,12 @@ class Run:
 
     def machine_text(self):
         machine = self.machine
-        if "text" in machine:
-            return machine["text"]
         return (f"{machine['cpu']}, {machine['cores']} cores, {machine['memory_gib']:.3g} GiB, {machine['smp']}, "
                 f"{machine['compiler']} {machine['build']}")
 
     def conditions_text(self):
         """Where, when and how in one line, for a table's foot."""
         conditions = self.conditions
-        if self.transcribed:
-            return f"† transcribed; VTK {self.version}, {conditions['text']}"
         load = f", load {conditions['load']} before" if "load" in conditions else ""
         devices = sorted({row["counts"]["device"] for row in self.rows if "device" in row.get("counts", {})})
         # Of what was put together of several runs each has its own.

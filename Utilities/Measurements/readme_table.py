@@ -23,7 +23,7 @@ def ratios(results, line, version):
         bound = "above " if found[0].get("counts", {}).get("at_least") else ""
         text = bound + short(numbers[-1])
         texts.append(f"**{text}**" if numbers[-1] < 1 else text)
-    return numbers, " / ".join(texts) + (" †" if run.transcribed else "")
+    return numbers, " / ".join(texts)
 
 
 def readme_table(results):
