@@ -101,7 +101,7 @@ class TestPages(unittest.TestCase):
         folder = Folder(page="{{claims interval}}\n")
         folder.add(FAST, claims=CLAIMS)
         page = folder.page()
-        self.assertIn("| is faster | **missed**: disk-out 0.5 | wavelet-97 5 |", page)
+        self.assertIn("| is faster | **missed**: disk-out: 0.5 | wavelet-97: 5 |", page)
         self.assertLess(page.index("is faster"), page.index("is fast |"))
 
     def test_null_is_no_number(self):
@@ -112,7 +112,7 @@ class TestPages(unittest.TestCase):
         folder.add([row], claims=[claim])
         page = folder.page()
         self.assertIn("| 8 | no number | 5 |", page)
-        self.assertIn("**missed**: wavelet-97 no number", page)
+        self.assertIn("**missed**: wavelet-97: no number", page)
 
     def test_a_changed_page_is_found(self):
         folder = Folder()

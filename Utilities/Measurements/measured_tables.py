@@ -68,6 +68,6 @@ def claims_table(run):
             continue
 
         def words(cases):
-            return ", ".join(f"{case['case']} {short(case['number'])}" for case in cases)
+            return "; ".join(f"{case['case']}: {short(case['number'])}" for case in cases)
         lines.append([claim["text"], f"**missed**: {words(missed)}" if missed else "met", words(met)])
     return markdown(["wanted", "missed", "met"], lines) if lines else ""

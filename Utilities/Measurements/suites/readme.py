@@ -24,6 +24,12 @@ TETRAHEDRA = [{
     "rows": [{"case": case, "method": path, "parameter": "composite", "peer": "projectedtetrahedra", "error": None}
              for case in SIZES]} for path, words in (("software", "software path"), ("opengl", "OpenGL path"))]
 SHADOWS = [
+    {"suite": "shadows", "work": "a volume with one light and no shadows",
+     "data": "CT, 256² x 128 / 256³ / sphere / rings, 128³, 512², llvmpipe, two threads; ours at its defaults, slices half a "
+             "voxel apart",
+     "peer": "`vtkGPUVolumeRayCastMapper` with Shade, a sample each voxel, no adjustment of distances (not its defaults)",
+     "rows": [{"case": case, "method": "shadows-off", "peer": "gpu"}
+              for case in ("bonsai-256x256x128", "bonsai-256x256x256", "sphere-128", "rings-128")]},
     {"suite": "shadows", "work": "a volume with the shadows of one light",
      "data": "CT, 256² x 128, 512², llvmpipe, two threads; ours at its defaults, slices half a voxel apart",
      "peer": "`vtkGPUVolumeRayCastMapper` with Shade, volumetric shadows of full reach, a sample each voxel, no "
