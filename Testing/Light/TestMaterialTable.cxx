@@ -7,6 +7,7 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkDoubleArray.h"
 #include "Volume/MaterialTable.h"
+#include "Volume/TransferNodes.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkUnsignedCharArray.h"
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
@@ -121,6 +123,31 @@ double GetOpacityBound(vtkPiecewiseFunction* opacity)
   const bool isBent =
     first[3] == 1.0 && first[2] != 0.5 && opacity->GetValue(beforeMiddle) != first[1];
   return isBent ? 5e-3 : 2e-3;
+}
+
+/// A function of one node is level whatever lies in memory before it: no part of the range is.
+void CheckSingleNode(Check& check)
+{
+  check.SetContext("one node");
+  constexpr double place = 0.25;
+  const Range range = { 0.0, 1.0 };
+  vtkNew<vtkPiecewiseFunction> function;
+  function->AddPoint(place, 0.5);
+  // The node is made in one of the gaps between blocks of its size, which hold its place.
+  using Block = std::array<double, sizeof(interlume::TransferNodes::Node) / sizeof(double)>;
+  std::vector<std::unique_ptr<Block>> blocks(64);
+  for (auto& block : blocks)
+  {
+    block = std::make_unique<Block>();
+    block->fill(place);
+  }
+  for (std::size_t i = 1; i < blocks.size(); i += 2)
+  {
+    blocks[i].reset();
+  }
+  const interlume::TransferNodes nodes(function);
+  check.Equal(nodes.GetNodes().size(), 1, "nodes");
+  check.That(nodes.Limit(range) == range, "all of the range");
 }
 
 /// Functions with peaks, steps and curves, over a range that one value makes 1e7 wide.
@@ -506,6 +533,7 @@ int TestMaterialTable(int, char*[])
 {
   Check check;
   CheckExtinction(check);
+  CheckSingleNode(check);
   CheckBends(check);
   CheckColors(check);
   CheckDependent(check);

@@ -213,11 +213,13 @@ TransferNodes::Range TransferNodes::Limit(const Range& range) const
   const Node& first = this->Nodes.front();
   const Node& last = this->Nodes.back();
   const double width = last.X > first.X ? last.X - first.X : range[1] - range[0];
-  const auto isStep = [&](std::size_t i)
-  { return i + 1 < this->Nodes.size() && this->Nodes[i].X == this->Nodes[i + 1].X; };
+  const auto isStep = [](const Node& a, const Node& b) { return a.X == b.X; };
+  const bool hasPieces = this->Nodes.size() > 1;
   constexpr double margin = 1.0 / 64.0;
-  const double lower = first.X - (isStep(0) ? margin * width : 0.0);
-  const double upper = last.X + (isStep(this->Nodes.size() - 2) ? margin * width : 0.0);
+  const double lower =
+    first.X - (hasPieces && isStep(first, this->Nodes[1]) ? margin * width : 0.0);
+  const double upper =
+    last.X + (hasPieces && isStep(*(this->Nodes.end() - 2), last) ? margin * width : 0.0);
   const Range part{ { std::max(range[0], lower), std::min(range[1], upper) } };
   // Texels are single precision: scales beyond these places would overflow there.
   constexpr double least = 1e-33;
