@@ -156,6 +156,10 @@ void RunSuites(const Suites& suites, const Arguments& arguments)
   for (const std::string& name : arguments.Suites)
   {
     const BenchSuite& suite = Find(suites, name);
+    if (!arguments.From.empty() && results.RowsOf(name).empty())
+    {
+      throw std::runtime_error(arguments.From + " has no rows of " + name);
+    }
     Run(suite, arguments, results);
     if (drawer)
     {
