@@ -4,8 +4,8 @@
 
 Their words are in Documentation/measurements/page.in.md and readme.in.md, their numbers in
 Documentation/measurements/vtk-*/SUITE.json, which `interlume-bench SUITE --json FILE` writes. --check fails where a
-page is not what would be written. --take FILE puts the suites of a JSON of `interlume-bench report` (rows.json) into the folder of its VTK.
---folder FOLDER stands for Documentation/ and the folder of README.md.
+page is not what would be written. --take FILE puts the suites of a JSON of `interlume-bench report` (rows.json) into
+the folder of its VTK. --folder FOLDER stands for Documentation/ and the folder of README.md.
 """
 
 import argparse

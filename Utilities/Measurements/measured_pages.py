@@ -2,8 +2,8 @@
 """Pages from templates: words as they stand, and what stands in {{ }} from the measurements.
 
 {{table NAME}} is a table of suites/, once for each VTK that its suite was run with, and its conditions;
-{{claims SUITE}} what is wanted of a suite; {{value NAME}} a number in a sentence; {{runs}} what was run when and where; {{readme}} the
-README's table; {{"text"}} is text: a setting or a name with digits, no measurement.
+{{claims SUITE}} what is wanted of a suite; {{value NAME}} a number in a sentence; {{runs}} what was run when and where;
+{{readme}} the README's table; {{"text"}} is text: a setting or a name with digits, no measurement.
 """
 
 import re

@@ -35,8 +35,9 @@ SHADOWS = [
      "peer": "`vtkGPUVolumeRayCastMapper` with Shade, volumetric shadows of full reach, a sample each voxel, no "
              "adjustment of distances (not its defaults)",
      "rows": [{"case": "bonsai-256x256x128", "method": "shadows", "peer": "gpu-shadows"}]},
-    {"suite": "shadows", "work": "the same, scattered light, at equal error",
-     "data": "sphere / rings / CT, 128³, 256²; ours at its defaults", "peer": "the same, samples as near as needed",
+    {"suite": "shadows", "work": "a volume of scattered light with the shadows of one light, at equal error",
+     "data": "sphere / rings / CT, 128³, 256²; ours at its defaults",
+     "peer": "`vtkGPUVolumeRayCastMapper` with volumetric shadows of full reach, samples as near as needed",
      "rows": [{"case": f"{case}, scattering", "method": "equal-error", "error_norm": "channel difference, mean"}
               for case in ("sphere-128", "rings-128", "bonsai-128x128x128")]}]
 FLOW = [
