@@ -84,7 +84,7 @@ void PointArrays::Write(const ExtractionPoint* points, vtkIdType number, vtkIdTy
   }
 }
 
-void PointArrays::Keep(const PointRuns& kept)
+void PointArrays::Keep(const KeptRuns& kept)
 {
   std::vector<vtkDataArray*> outs;
   for (const Writer& writer : this->Writers)

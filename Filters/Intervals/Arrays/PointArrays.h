@@ -4,7 +4,7 @@
 
 #include "Arrays/CarriedArrays.h"
 #include "Output/ExtractionPoint.h"
-#include "Output/PointRuns.h"
+#include "Output/KeptRuns.h"
 
 #include "vtkType.h"
 
@@ -44,7 +44,7 @@ public:
   void Write(const ExtractionPoint* points, vtkIdType number, vtkIdType first) const;
 
   /// Leaves out all other points.
-  void Keep(const PointRuns& kept);
+  void Keep(const KeptRuns& kept);
 
   const vtkSmartPointer<vtkPoints>& GetPoints() const { return this->Arrays.GetPoints(); }
   /// Gives the arrays to \a output.

@@ -4,7 +4,7 @@
 
 #include "Output/ExtractionBuffer.h"
 #include "Output/IdRun.h"
-#include "Output/PointRuns.h"
+#include "Output/KeptRuns.h"
 #include "Output/ThreadGrain.h"
 
 #include "vtkCellArray.h"
@@ -185,11 +185,10 @@ public:
       });
   }
 
-  /// Puts \a number simplices in places before theirs.
-  void Move(vtkIdType from, vtkIdType to, vtkIdType number)
+  /// Moves the simplices that stay to the front.
+  void Keep(const KeptRuns& kept)
   {
-    this->Visit([&](auto* values)
-      { std::copy_n(values + from * this->Size, number * this->Size, values + to * this->Size); });
+    this->Visit([&](auto* values) { kept.Compact(values, this->Size); });
   }
 
   /// Calls \a visit(ids) with the ids of all cells, in the type they are stored in.
@@ -267,7 +266,7 @@ public:
   }
 
   /// Gives the points that stay, of \a numberOfPoints, their new ids; the cells use no others.
-  void RemovePoints(const PointRuns& kept, vtkIdType numberOfPoints)
+  void RemovePoints(const KeptRuns& kept, vtkIdType numberOfPoints)
   {
     this->Visit(
       [&](auto* values)

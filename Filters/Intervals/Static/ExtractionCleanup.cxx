@@ -28,27 +28,17 @@ constexpr int FacesOutward[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0,
 // Leaves out some simplices, whose places increase.
 void RemoveSimplices(ExtractionMesh& mesh, const std::vector<vtkIdType>& removed)
 {
-  const vtkIdType number = mesh.Simplices.GetNumber();
-  // Those before the first one stay where they are.
-  vtkIdType kept = removed.empty() ? number : removed.front();
-  int* const items = mesh.ItemIds->GetPointer(0);
-  for (std::size_t r = 0; r < removed.size(); ++r)
+  const KeptRuns kept(removed, mesh.Simplices.GetNumber());
+  mesh.Simplices.Keep(kept);
+  if (mesh.HasSeveralItems)
   {
-    const vtkIdType first = removed[r] + 1;
-    const vtkIdType last = r + 1 < removed.size() ? removed[r + 1] : number;
-    mesh.Simplices.Move(first, kept, last - first);
-    if (mesh.HasSeveralItems)
-    {
-      std::copy(items + first, items + last, items + kept);
-    }
-    if (mesh.CellIds.GetSize() > 0)
-    {
-      vtkIdType* const cells = mesh.CellIds.GetData();
-      std::copy(cells + first, cells + last, cells + kept);
-    }
-    kept += last - first;
+    kept.Compact(mesh.ItemIds->GetPointer(0), 1);
   }
-  mesh.TruncateSimplices(kept);
+  if (mesh.CellIds.GetSize() > 0)
+  {
+    kept.Compact(mesh.CellIds.GetData(), 1);
+  }
+  mesh.TruncateSimplices(kept.GetNumber());
 }
 
 // Leaves out the whole cells that are marked, after \a simplicesGone simplices.
@@ -127,6 +117,24 @@ void MarkUsed(ExtractionMesh& mesh)
   }
 }
 
+// Marks the points of the tied simplices that stay, which nobody has marked.
+void MarkTied(ExtractionMesh& mesh, const std::vector<vtkIdType>& removed, int size)
+{
+  auto gone = removed.begin();
+  for (const vtkIdType simplex : mesh.TiedSimplices)
+  {
+    if (gone != removed.end() && *gone == simplex)
+    {
+      ++gone;
+      continue;
+    }
+    for (int p = 0; p < size; ++p)
+    {
+      mesh.Used[mesh.Simplices.GetId(simplex, p)].store(1, std::memory_order_relaxed);
+    }
+  }
+}
+
 void AddTriangle(ExtractionMesh& mesh, const Triple& points, int item, int side)
 {
   mesh.Triangles.push_back(points);
@@ -162,7 +170,7 @@ void ExtractionCleanup::RemoveUnusedPoints(ExtractionMesh& mesh, PointArrays* ar
     return;
   }
   const vtkIdType points = static_cast<vtkIdType>(number);
-  const PointRuns kept(used, points);
+  const KeptRuns kept(used, points);
   mesh.Simplices.RemovePoints(kept, points);
   if (arrays)
   {
@@ -205,10 +213,18 @@ void ExtractionCleanup::RemoveOppositeSimplices(ExtractionMesh& mesh, int size)
   std::vector<vtkIdType> removed;
   OppositePairs::Find(
     entries, [&](std::size_t place) { removed.push_back(static_cast<vtkIdType>(place)); });
+  std::sort(removed.begin(), removed.end());
+  const bool hasMarks = mesh.Used.GetSize() > 0;
+  if (hasMarks)
+  {
+    MarkTied(mesh, removed, size);
+  }
   if (!removed.empty())
   {
-    std::sort(removed.begin(), removed.end());
     RemoveSimplices(mesh, removed);
+  }
+  if (!removed.empty() && !hasMarks)
+  {
     MarkUsed(mesh);
   }
 }

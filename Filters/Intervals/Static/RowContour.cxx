@@ -510,8 +510,9 @@ private:
     const vtkIdType firstPoint = this->Rows.GetFirstPoint(around.Numbers[0]);
     const vtkIdType firstCell = this->Rows.GetFirstCell(around.J, around.K);
     const auto& slots = writer.Slots;
-    Id* const begin = ids + 3 * triangle;
-    Id* out = begin;
+    Id* out = ids + 3 * triangle;
+    const vtkIdType first = triangle;
+    const std::size_t firstTied = local.TiedSimplices.size();
     this->ForEachCell(local, around,
       [&](vtkIdType column, const vtkIsotable::Case& found, TiedCases::Tied* tied)
       {
@@ -537,8 +538,17 @@ private:
         [this](vtkIdType row) { return MayLeavePoints(this->GetAround(row)); });
     if (marks)
     {
-      std::for_each(
-        begin, out, [this](Id id) { this->Mesh.Used[id].store(1, std::memory_order_relaxed); });
+      auto tied = local.TiedSimplices.begin() + firstTied;
+      for (vtkIdType t = first; t < triangle; ++t)
+      {
+        if (tied != local.TiedSimplices.end() && *tied == t)
+        {
+          ++tied;
+          continue;
+        }
+        std::for_each_n(ids + 3 * t, 3,
+          [this](Id id) { this->Mesh.Used[id].store(1, std::memory_order_relaxed); });
+      }
     }
   }
 

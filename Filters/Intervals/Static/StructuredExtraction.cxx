@@ -1224,18 +1224,18 @@ private:
       return true;
     }
     vtkIdType ids[vtkIsotable::MaximumNumberOfSlots];
-    const auto use = [&](Slot slot)
-    {
-      ids[slot] = this->GetId(around, i, what, slot);
-      this->Use(ids[slot]);
-    };
+    const auto find = [&](Slot slot) { ids[slot] = this->GetId(around, i, what, slot); };
     const bool isInverted = this->IsInverted(around, i);
     for (const vtkIsotable::Simplex& simplex : simplices)
     {
-      std::for_each_n(simplex.begin(), this->SimplexSize, use);
+      std::for_each_n(simplex.begin(), this->SimplexSize, find);
       if (tied.Cut.IsInFace(this->Table, simplex))
       {
         local.TiedSimplices.push_back(place.Simplices + (&simplex - simplices.data()));
+      }
+      else
+      {
+        this->Use(simplex.data(), this->SimplexSize, ids);
       }
     }
     this->Mesh.Simplices.Write(
@@ -1244,7 +1244,8 @@ private:
     place.Simplices += static_cast<vtkIdType>(simplices.size());
     for (std::size_t t = 0; t < number; ++t)
     {
-      std::for_each_n(triangles[t].begin(), 3, use);
+      std::for_each_n(triangles[t].begin(), 3, find);
+      this->Use(triangles[t].data(), 3, ids);
       local.TiedTriangles.push_back(place.Triangles);
       this->WriteTriangle(around, i, item, triangles[t], ids, isInverted, place);
     }

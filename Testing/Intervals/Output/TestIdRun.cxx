@@ -5,7 +5,7 @@
 #include "Reference/Checks/ReferenceCheck.h"
 
 #include "Output/IdRun.h"
-#include "Output/PointRuns.h"
+#include "Output/KeptRuns.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -14,9 +14,11 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkSMPTools.h"
 #include "vtkTetra.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <random>
 #include <string>
 #include <vector>
@@ -73,6 +75,7 @@ void CheckPoints(int number, int kept, std::mt19937& random, Check& check)
 {
   check.SetContext(std::to_string(number) + " points of which stay " + std::to_string(kept) + "/8");
   std::vector<unsigned char> marks;
+  std::vector<vtkIdType> removed;
   std::vector<int> values;
   std::vector<int> expected;
   for (int p = 0; p < number; ++p)
@@ -83,18 +86,32 @@ void CheckPoints(int number, int kept, std::mt19937& random, Check& check)
     {
       expected.insert(expected.end(), { 2 * p, 2 * p + 1 });
     }
+    else
+    {
+      removed.push_back(p);
+    }
   }
-  const interlume::PointRuns runs(marks.data(), number);
+  const interlume::KeptRuns runs(marks.data(), number);
   check.Equal(2 * runs.GetNumber(), expected.size(), "values that stay");
   std::vector<vtkIdType> ids(number, -1);
   runs.FillIds(ids.data());
-  runs.Compact(values.data(), 2);
-  for (int p = 0, next = 0; p < number; ++p)
+  vtkIdType next = 0;
+  check.That(std::equal(ids.begin(), ids.end(), marks.begin(),
+               [&next](vtkIdType id, unsigned char mark) { return id == (mark ? next++ : -1); }),
+    "new ids");
+  const interlume::KeptRuns others(removed, number);
+  for (const vtkIdType parts : { 1, 2, 3, 7 })
   {
-    check.Equal(ids[p], marks[p] ? next++ : -1, "id of " + std::to_string(p));
+    for (const char* backend : { "Sequential", "STDThread" })
+    {
+      std::vector<int> compacted = values;
+      const interlume::KeptRuns* kept = parts % 2 == 0 ? &runs : &others;
+      vtkSMPTools::LocalScope(vtkSMPTools::Config{ 2, backend, false },
+        [&]() { kept->Compact(compacted.data(), 2, parts); });
+      compacted.resize(expected.size());
+      check.That(compacted == expected, "values that stay, in order, " + std::to_string(parts));
+    }
   }
-  values.resize(expected.size());
-  check.That(values == expected, "values that stay, in order");
 }
 
 /// A slab of a ramp along i; its tetrahedra are more than are kept in a cache.
@@ -166,6 +183,8 @@ int TestIdRun(int, char*[])
   {
     CheckPoints(1, kept, random, check);
     CheckPoints(500, kept, random, check);
+    // So many that several threads move them at once.
+    CheckPoints(400000, kept, random, check);
   }
   CheckVolume(check);
   return check.Result();
