@@ -32,6 +32,7 @@ struct Arguments
   bool List = false;
   bool Quick = false;
   bool Tiny = false;
+  bool Spans = false;
   std::vector<std::string> Suites;
   std::string Task;
   std::string Json;
@@ -52,6 +53,8 @@ void Define(CLI::App& app, Arguments& arguments, const std::vector<std::string>&
   app.add_option("--plots", arguments.Plots, "Draw the plots into this folder");
   app.add_option("--from", arguments.From, "Rows of an earlier run, instead of running again")
     ->check(CLI::ExistingFile);
+  app.add_flag("--spans", arguments.Spans,
+    "With --json: write when each run began and ended, in seconds of the monotonic clock");
   app.add_flag("--quick", arguments.Quick, "Smaller cases: under 45 s a suite on two cores");
   app.add_option("--threads", arguments.Options.Threads, "Threads that 'all' stands for")
     ->check(CLI::Range(1, 4096))
@@ -168,7 +171,7 @@ void RunSuites(const Suites& suites, const Arguments& arguments)
   }
   if (!arguments.Json.empty())
   {
-    results.Write(arguments.Json);
+    results.Write(arguments.Json, arguments.Spans);
   }
 }
 

@@ -9,7 +9,7 @@
 import re
 from pathlib import Path
 
-from measured_cells import seconds
+from measured_cells import NOTHING, seconds
 from measured_rows import Results
 from measured_tables import claims_table, markdown
 from readme_table import readme_table
@@ -90,5 +90,5 @@ class Pages:
                 conditions = run.conditions
                 missed = f"{sum(not claim['met'] for claim in run.claims)} of {len(run.claims)}" if run.claims else ""
                 lines.append([suite, run.version, f"`{run.command()}`",
-                              f"{conditions['date']}, {run.machine_text()}", seconds(run.took), missed])
+                              f"{conditions['date']}, {run.machine_text()}", seconds(run.took) if run.took else NOTHING, missed])
         return markdown(["suite", "VTK", "command", "when and where", "took", "claims missed"], lines)

@@ -2,6 +2,9 @@
 #ifndef BenchSeconds_h
 #define BenchSeconds_h
 
+#include <array>
+#include <vector>
+
 /**
  * A time, and how many runs it is the median of: one run is one run.
  */
@@ -9,6 +12,8 @@ struct BenchSeconds
 {
   double Value = 0.0;
   int Runs = 0;
+  /// When each run began and ended, in seconds of std::chrono::steady_clock.
+  std::vector<std::array<double, 2>> Spans = {};
 
   operator double() const { return this->Value; }
 };

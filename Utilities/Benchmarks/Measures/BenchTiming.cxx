@@ -7,12 +7,18 @@
 #include <chrono>
 #include <thread>
 
+double GetSteadySeconds()
+{
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
+
 BenchSeconds TimeOnce(const BenchWork& work)
 {
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin = GetSteadySeconds();
   const vtkSmartPointer<vtkObjectBase> result = work();
-  const auto end = std::chrono::steady_clock::now();
-  return { std::chrono::duration<double>(end - begin).count(), 1 };
+  const double end = GetSteadySeconds();
+  return { end - begin, 1, { { { begin, end } } } };
 }
 
 std::vector<BenchSeconds> MeasureAlternately(const std::vector<BenchWork>& works, int repeats)
@@ -21,7 +27,7 @@ std::vector<BenchSeconds> MeasureAlternately(const std::vector<BenchWork>& works
   {
     work();
   }
-  std::vector<std::vector<double>> times(works.size());
+  std::vector<std::vector<BenchSeconds>> times(works.size());
   for (int repeat = 0; repeat < repeats; ++repeat)
   {
     for (std::size_t i = 0; i < works.size(); ++i)
@@ -30,7 +36,7 @@ std::vector<BenchSeconds> MeasureAlternately(const std::vector<BenchWork>& works
     }
   }
   std::vector<BenchSeconds> medians;
-  for (const std::vector<double>& ofOne : times)
+  for (const std::vector<BenchSeconds>& ofOne : times)
   {
     medians.push_back(MedianOf(ofOne));
   }
@@ -69,4 +75,14 @@ double Median(std::vector<double> numbers)
 BenchSeconds MedianOf(const std::vector<double>& runs)
 {
   return { Median(runs), static_cast<int>(runs.size()) };
+}
+
+BenchSeconds MedianOf(const std::vector<BenchSeconds>& runs)
+{
+  BenchSeconds median = MedianOf(std::vector<double>(runs.begin(), runs.end()));
+  for (const BenchSeconds& run : runs)
+  {
+    median.Spans.insert(median.Spans.end(), run.Spans.begin(), run.Spans.end());
+  }
+  return median;
 }

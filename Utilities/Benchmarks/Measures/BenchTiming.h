@@ -18,6 +18,11 @@
 using BenchWork = std::function<vtkSmartPointer<vtkObjectBase>()>;
 
 /**
+ * This moment, in seconds of std::chrono::steady_clock.
+ */
+double GetSteadySeconds();
+
+/**
  * Wall seconds of one run of \a work.
  */
 BenchSeconds TimeOnce(const BenchWork& work);
@@ -47,5 +52,10 @@ double Median(std::vector<double> numbers);
  * The median of the seconds of so many runs.
  */
 BenchSeconds MedianOf(const std::vector<double>& runs);
+
+/**
+ * The median of single runs, with the spans of all.
+ */
+BenchSeconds MedianOf(const std::vector<BenchSeconds>& runs);
 
 #endif

@@ -7,9 +7,11 @@ BenchWork ProcessorClock::Watch(const BenchWork& work)
 {
   return [work, seconds = this->Seconds]()
   {
+    const double begin = GetSteadySeconds();
     const std::clock_t start = std::clock();
     vtkSmartPointer<vtkObjectBase> result = work();
-    seconds->push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    const double taken = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    seconds->push_back({ taken, 1, { { { begin, GetSteadySeconds() } } } });
     return result;
   };
 }

@@ -20,7 +20,8 @@ public:
   BenchSeconds Take();
 
 private:
-  std::shared_ptr<std::vector<double>> Seconds = std::make_shared<std::vector<double>>();
+  std::shared_ptr<std::vector<BenchSeconds>> Seconds =
+    std::make_shared<std::vector<BenchSeconds>>();
 };
 
 #endif

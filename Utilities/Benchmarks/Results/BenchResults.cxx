@@ -46,7 +46,7 @@ BenchResults BenchResults::Read(const std::string& path)
   }
 }
 
-void BenchResults::Write(const std::string& path) const
+void BenchResults::Write(const std::string& path, bool hasSpans) const
 {
   nlohmann::ordered_json json;
   json["machine"] = this->Machine;
@@ -56,7 +56,7 @@ void BenchResults::Write(const std::string& path) const
   json["rows"] = nlohmann::ordered_json::array();
   for (const BenchRow& row : this->Rows)
   {
-    json["rows"].push_back(row.ToJson());
+    json["rows"].push_back(row.ToJson(hasSpans));
   }
   std::ofstream file(path);
   file << json.dump(1) << "\n";

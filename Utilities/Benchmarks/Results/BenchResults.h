@@ -28,8 +28,9 @@ struct BenchResults
 
   /// Throws std::runtime_error, with the path, where the file cannot be read or is not such a file.
   static BenchResults Read(const std::string& path);
-  /// Throws std::runtime_error, with the path, where the file cannot be written.
-  void Write(const std::string& path) const;
+  /// With \a hasSpans also when each run began and ended. Throws std::runtime_error, with the path,
+  /// where the file cannot be written.
+  void Write(const std::string& path, bool hasSpans = false) const;
 
   /// Sets what is wanted of the rows of \a suite.
   void SetClaims(const std::string& suite, const std::vector<BenchClaim>& claims);

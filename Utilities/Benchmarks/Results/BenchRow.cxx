@@ -23,14 +23,18 @@ void PutIf(nlohmann::ordered_json& json, const char* name, const std::optional<d
   }
 }
 
-/// The time and, beside it, how many runs it is the median of.
+/// The time and, beside it, how many runs it is the median of, and when these were if asked for.
 void PutSeconds(nlohmann::ordered_json& json, const std::string& prefix,
-  const std::optional<BenchSeconds>& seconds)
+  const std::optional<BenchSeconds>& seconds, bool hasSpans)
 {
   if (seconds)
   {
     json[prefix + "seconds"] = seconds->Value;
     json[prefix + "runs"] = seconds->Runs;
+  }
+  if (seconds && hasSpans)
+  {
+    json[prefix + "spans"] = seconds->Spans;
   }
 }
 
@@ -100,7 +104,7 @@ std::optional<double> BenchRow::GetRatio() const
   return std::nullopt;
 }
 
-nlohmann::ordered_json BenchRow::ToJson() const
+nlohmann::ordered_json BenchRow::ToJson(bool hasSpans) const
 {
   nlohmann::ordered_json json;
   json["suite"] = this->Suite;
@@ -112,9 +116,9 @@ nlohmann::ordered_json BenchRow::ToJson() const
   }
   PutIf(json, "error", this->Error);
   PutIf(json, "error_norm", this->ErrorNorm);
-  PutSeconds(json, "", this->Seconds);
+  PutSeconds(json, "", this->Seconds, hasSpans);
   PutIf(json, "peer", this->Peer);
-  PutSeconds(json, "peer_", this->PeerSeconds);
+  PutSeconds(json, "peer_", this->PeerSeconds, hasSpans);
   PutIf(json, "ratio", this->GetRatio());
   if (!this->Counts.empty())
   {

@@ -37,7 +37,8 @@ struct BenchRow
   /// PeerSeconds / Seconds: above 1 the method is faster than the peer.
   std::optional<double> GetRatio() const;
 
-  nlohmann::ordered_json ToJson() const;
+  /// With \a hasSpans also when each run began and ended.
+  nlohmann::ordered_json ToJson(bool hasSpans = false) const;
   /// Throws nlohmann::json::exception where a field is missing or of the wrong type.
   static BenchRow FromJson(const nlohmann::ordered_json& json);
 };

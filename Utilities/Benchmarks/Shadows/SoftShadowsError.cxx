@@ -54,9 +54,9 @@ std::vector<Case> MakeCases(const BenchOptions& options)
 struct Setting
 {
   std::string Name;
-  double Parameter;
+  double Parameter = 0.0;
   MethodPointer Drawn;
-  BenchSeconds Seconds = {};
+  BenchSeconds Seconds;
   double ProcessorSeconds = 0.0;
   ProcessorClock Clock{};
   double Error = 0.0;
@@ -108,9 +108,15 @@ std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
   const double spacing = plain.SliceSpacing;
   using Mapper = vtkShadowedSliceMapper;
   std::vector<Setting> settings;
-  const auto add = [&](const std::string& name, double parameter, const Change& change) {
-    settings.push_back({ name, parameter, MakeSlices(stage, scene, change) });
+  const auto put = [&settings](const std::string& name, double parameter, MethodPointer drawn)
+  {
+    Setting& setting = settings.emplace_back();
+    setting.Name = name;
+    setting.Parameter = parameter;
+    setting.Drawn = std::move(drawn);
   };
+  const auto add = [&](const std::string& name, double parameter, const Change& change)
+  { put(name, parameter, MakeSlices(stage, scene, change)); };
   for (const int samples : options.Pick<std::vector<int>>({ 4, 8, 16, 32, 64 }, { 4, 16 }, { 4 }))
   {
     add(Layers, samples, WithSamples(Mapper::SAMPLE_LAYERS, samples));
@@ -138,7 +144,7 @@ std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
   add(Default, 1.0, nullptr);
   reference::ShadowScene hard = scene;
   hard.Lights = MakeAreaLights(scene, 0.0);
-  settings.push_back({ Hard, 1.0, MakeSlices(stage, hard) });
+  put(Hard, 1.0, MakeSlices(stage, hard));
   return settings;
 }
 
