@@ -8,7 +8,7 @@ from pathlib import Path
 GENERATOR = Path(sys.argv.pop(1))
 sys.path.insert(0, str(GENERATOR))
 
-from profile_suites import PROFILED, name_of, profiled_rows, read_samples, shares  # noqa: E402
+from profile_suites import PROFILED, joined, name_of, profiled_rows, read_samples, shares  # noqa: E402
 from suites.profiles import largest  # noqa: E402
 
 OWN = "/build/lib/libInterlumeIntervals.so.0.1.0"
@@ -69,6 +69,18 @@ class TestShares(unittest.TestCase):
         self.assertEqual(made[0]["counts"]["samples"], 3)
         with self.assertRaisesRegex(ValueError, "contour has no row"):
             profiled_rows("contour", {"rows": rows[1:]}, [])
+
+    def test_suites_keep_their_conditions(self):
+        def results(suite, date):
+            return {"vtk": "9.1.0", "conditions": {"date": date, "load": 1, "size": "full"}, "suites": {},
+                    "rows": [{"case": case, "method": method, "parameter": parameter, "spans": []}
+                             for case, method, parameter in PROFILED[suite][1]]}
+        all_of = joined("contour", {"rows": [], "conditions": {}}, results("contour", "first"), [])
+        all_of = joined("interval", all_of, results("interval", "second"), [])
+        all_of = joined("contour", all_of, results("contour", "third"), [])
+        self.assertEqual([part["date"] for part in all_of["conditions"]["parts"]], ["second", "third"])
+        self.assertEqual(len(all_of["rows"]), len(PROFILED["interval"][1]) + len(PROFILED["contour"][1]))
+        self.assertTrue(all_of["rows"][0]["case"].startswith("interval: "))
 
     def test_small_shares_are_put_together(self):
         self.assertEqual(largest({"a": 0.75, "b": 0.2, "c": 0.02, "d": 0.02, "e": 0.01}), "a 75 %, b 20 %, others 5 %")

@@ -89,6 +89,7 @@ class Pages:
             for run in self.results.of(suite):
                 conditions = run.conditions
                 missed = f"{sum(not claim['met'] for claim in run.claims)} of {len(run.claims)}" if run.claims else ""
+                took = seconds(run.took) if run.took else NOTHING
                 lines.append([suite, run.version, f"`{run.command()}`",
-                              f"{conditions['date']}, {run.machine_text()}", seconds(run.took) if run.took else NOTHING, missed])
+                              f"{conditions['date']}, {run.machine_text()}", took, missed])
         return markdown(["suite", "VTK", "command", "when and where", "took", "claims missed"], lines)

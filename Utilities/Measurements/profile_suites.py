@@ -122,6 +122,24 @@ def profiled_rows(suite, results, samples):
     return made
 
 
+def joined(suite, before, results, samples):
+    """The profiles of all suites: of this one new, of the others as before, each with its date and load."""
+    def of_others(case):
+        return not case.startswith(suite + ":")
+
+    def place(case):
+        return list(PROFILED).index(case.split(":")[0])
+    name = Path(__file__).name
+    rows = [row for row in before["rows"] if of_others(row["case"])] + profiled_rows(suite, results, samples)
+    parts = [part for part in before["conditions"].get("parts", []) if part["command"].split(" ")[-1] != suite]
+    parts.append({"command": f"{name} interlume-bench {suite}", "date": results["conditions"]["date"],
+                  "load": results["conditions"]["load"]})
+    conditions = {**results["conditions"], "command": f"{name} interlume-bench",
+                  "parts": sorted(parts, key=lambda part: place(part["command"].split(" ")[-1]))}
+    return {**results, "conditions": conditions, "suites": {"profiles": {}},
+            "rows": sorted(rows, key=lambda row: place(row["case"]))}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("program", type=Path, help="interlume-bench")
@@ -134,14 +152,9 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             results, samples = profile(arguments.program.resolve(), suite, Path(folder))
         path = measurements / f"vtk-{short_version(results['vtk'])}" / "profiles.json"
-        rows = json.loads(path.read_text(encoding="utf-8"))["rows"] if path.exists() else []
-        # Suites keep their order, whichever were asked for.
-        rows = [row for row in rows if not row["case"].startswith(suite + ":")]
-        rows += profiled_rows(suite, results, samples)
-        rows.sort(key=lambda row: list(PROFILED).index(row["case"].split(":")[0]))
-        conditions = dict(results["conditions"], command=f"{Path(__file__).name} interlume-bench")
-        profiles = dict(results, conditions=conditions, suites={"profiles": {}}, rows=rows)
-        path.write_text(json.dumps(profiles, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+        before = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {"rows": [], "conditions": {}}
+        path.write_text(json.dumps(joined(suite, before, results, samples), indent=1, ensure_ascii=False) + "\n",
+                        encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -222,10 +222,10 @@ void ExtractionCleanup::RemoveOppositeSimplices(ExtractionMesh& mesh, int size)
   if (!removed.empty())
   {
     RemoveSimplices(mesh, removed);
-  }
-  if (!removed.empty() && !hasMarks)
-  {
-    MarkUsed(mesh);
+    if (!hasMarks)
+    {
+      MarkUsed(mesh);
+    }
   }
 }
 
