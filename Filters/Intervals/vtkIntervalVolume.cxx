@@ -8,9 +8,9 @@
 #include "Output/ProcessBalance.h"
 #include "Static/EmptyResult.h"
 #include "Static/Extraction.h"
-#include "Static/ExtractionIndex.h"
+#include "Pass/ExtractionIndex.h"
 #include "Static/ExtractionInput.h"
-#include "Static/GhostCells.h"
+#include "Pass/GhostCells.h"
 
 #include "vtkCellData.h"
 #include "vtkCommand.h"

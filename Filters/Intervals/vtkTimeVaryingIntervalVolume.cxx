@@ -4,7 +4,7 @@
 #include "Output/ProcessBalance.h"
 #include "Static/EmptyResult.h"
 #include "Static/ExtractionInput.h"
-#include "Static/GhostCells.h"
+#include "Pass/GhostCells.h"
 #include "TimeVarying/TimeVaryingRun.h"
 
 #include "vtkDataObjectTypes.h"

@@ -3,6 +3,7 @@
 #define interlume_CellOrientation_h
 
 #include "Common/Prefetch.h"
+#include "Grid/RowIndex.h"
 
 #include "vtkDataSet.h"
 #include "vtkIsotable.h"
@@ -27,9 +28,6 @@ public:
   /// Returns whether cells differ, so that IsInverted needs their points.
   bool IsPerCell() const { return this->Points != nullptr; }
 
-  /// Returns the one answer for all cells where they do not differ.
-  bool AreAllInverted() const { return this->AllInverted; }
-
   /// Prefetches the coordinates of a point that will be asked for soon.
   void Prefetch(vtkIdType point) const
   {
@@ -47,6 +45,21 @@ public:
   bool IsInverted(vtkIsotable::Shapes shape, const vtkIdType* points) const
   {
     return this->GetSign(shape, points) < 0;
+  }
+
+  /// Returns whether the cell of a grid of rows whose vertex 0 is \a point is left-handed.
+  bool IsInverted(const RowIndex& rows, vtkIdType point) const
+  {
+    if (!this->Points)
+    {
+      return this->AllInverted;
+    }
+    vtkIdType vertices[8];
+    for (int v = 0; v < 8; ++v)
+    {
+      vertices[v] = rows.GetVertex(point, v);
+    }
+    return this->IsInverted(vtkIsotable::HEXAHEDRON, vertices);
   }
 
   /// Returns 1 for a right-handed cell, -1 for a left-handed one, 0 for a flat one.

@@ -2,7 +2,7 @@
 #ifndef interlume_Extraction_h
 #define interlume_Extraction_h
 
-#include "Static/ExtractionContext.h"
+#include "Pass/ExtractionContext.h"
 
 #include <optional>
 

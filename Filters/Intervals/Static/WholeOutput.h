@@ -2,7 +2,7 @@
 #ifndef interlume_WholeOutput_h
 #define interlume_WholeOutput_h
 
-#include "Static/ExtractionContext.h"
+#include "Pass/ExtractionContext.h"
 
 class vtkUnstructuredGrid;
 

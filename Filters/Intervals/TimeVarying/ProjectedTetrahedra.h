@@ -2,7 +2,7 @@
 #ifndef interlume_ProjectedTetrahedra_h
 #define interlume_ProjectedTetrahedra_h
 
-#include "Static/ExtractionContext.h"
+#include "Pass/ExtractionContext.h"
 #include "TimeVarying/SimplexProjection.h"
 #include "TimeVarying/TimeVaryingMesh.h"
 

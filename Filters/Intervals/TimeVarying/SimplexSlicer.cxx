@@ -5,7 +5,7 @@
 #include "Common/ThreadLocals.h"
 #include "Grid/CornerOrder.h"
 #include "Scalars/ExtractionScalars.h"
-#include "Static/CrossingLists.h"
+#include "Unstructured/CrossingLists.h"
 #include "TimeVarying/SimplexSliceTable.h"
 #include "TimeVarying/SliceChunk.h"
 #include "TimeVarying/SliceFaces.h"

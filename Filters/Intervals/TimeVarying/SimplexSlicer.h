@@ -2,7 +2,7 @@
 #ifndef interlume_SimplexSlicer_h
 #define interlume_SimplexSlicer_h
 
-#include "Static/ExtractionContext.h"
+#include "Pass/ExtractionContext.h"
 
 class vtkUnstructuredGrid;
 

@@ -2,7 +2,7 @@
 #ifndef interlume_SliceChunk_h
 #define interlume_SliceChunk_h
 
-#include "Static/CrossingLists.h"
+#include "Unstructured/CrossingLists.h"
 #include "vtkType.h"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include "Scalars/ExtractionDispatch.h"
 #include "Scalars/ExtractionScalars.h"
 #include "Static/ExtractionLinearizer.h"
-#include "Static/GhostCells.h"
+#include "Pass/GhostCells.h"
 
 #include "vtkCellArray.h"
 #include "vtkImageData.h"

@@ -4,7 +4,7 @@
 
 #include "Common/Blanking.h"
 #include "Output/ExtractionBuffer.h"
-#include "Static/ExtractionContext.h"
+#include "Pass/ExtractionContext.h"
 
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"

@@ -2,7 +2,7 @@
 #include "TimeVarying/TimeVaryingCut.h"
 
 #include "Output/OppositePairs.h"
-#include "Static/ExtractionCell.h"
+#include "Cuts/ExtractionCell.h"
 
 #include "vtkTimeVaryingSettings.h"
 

@@ -3,7 +3,7 @@
 
 #include "Arrays/ExtractionArrays.h"
 #include "Output/TiedFaces.h"
-#include "Static/CrossingLists.h"
+#include "Unstructured/CrossingLists.h"
 #include "TimeVarying/TimeStep.h"
 
 #include "vtkIdList.h"

@@ -4,7 +4,7 @@
 
 #include "Output/CrossingKey.h"
 #include "Output/ExtractionBuffer.h"
-#include "Static/ExtractionContext.h"
+#include "Pass/ExtractionContext.h"
 #include "TimeVarying/SimplexProjection.h"
 #include "TimeVarying/TimeVaryingOptions.h"
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Static/RowContour.h"
+#include "Structured/RowContour.h"
 
 #include "Common/ThreadLocals.h"
-#include "Arrays/PointArrays.h"
 #include "Grid/CellOrientation.h"
 #include "Grid/RowIndex.h"
 #include "Scalars/BitKernels.h"
 #include "Scalars/ExtractionScalars.h"
-#include "Static/ExtractionIndex.h"
-#include "Static/TiedCases.h"
+#include "Pass/ExtractionIndex.h"
+#include "Structured/PointOutput.h"
+#include "Structured/SlotPlace.h"
+#include "Cuts/TiedCases.h"
 
 #include <array>
 #include <memory>
@@ -20,7 +21,6 @@ namespace interlume
 namespace
 {
 using Code = ExtractionValues::Code;
-using Slot = vtkIsotable::Slot;
 
 constexpr int Vertices = 8;
 // What a grid point may own: itself, and the crossings of its edges along i, j and k.
@@ -43,25 +43,14 @@ public:
     , Scalars(ExtractionScalars::Make(context.Scalars, *context.Values))
     , Mesh(mesh)
     , Table(vtkIsotable::Get(vtkIsotable::CONTOUR, vtkIsotable::HEXAHEDRON))
+    , Slots(SlotPlace::FindAll(Table, *context.Values))
+    , Ranks(SlotPlace::FindRanks(Table))
     , Orientation(context.Input)
     , Rows(dimensions, window)
     , Nx(window.Last[0] - window.First[0] + 1)
     , Ny(window.Last[1] - window.First[1] + 1)
     , Nz(window.Last[2] - window.First[2] + 1)
   {
-    constexpr Slot ascending[Vertices] = { 0, 1, 2, 3, 4, 5, 6, 7 };
-    this->Ranks = this->Table.GetSlotRanks(ascending);
-    for (Slot v = 0; v < Vertices; ++v)
-    {
-      this->Owners[v] = { v, 0 };
-    }
-    for (int e = 0; e < this->Table.GetNumberOfEdges(); ++e)
-    {
-      // The vertices of an edge differ in one bit.
-      const auto& edge = this->Table.GetEdge(e);
-      const int step = edge[1] - edge[0];
-      this->Owners[Vertices + e] = { edge[0], step == 1 ? 1 : step == 2 ? 2 : 3 };
-    }
   }
 
   bool Execute()
@@ -321,14 +310,7 @@ private:
     {
       this->Mesh.Used.AllocateZeros(total.Points);
     }
-    if (this->Context.Arrays)
-    {
-      this->Context.Arrays->Allocate(total.Points);
-    }
-    else
-    {
-      this->Mesh.Points.Allocate(total.Points);
-    }
+    PointOutput::Allocate(this->Context, total.Points, this->Mesh);
     this->Mesh.Allocate(total.Points, total.Triangles, 3, 0, this->Context.KeepCellIds);
   }
 
@@ -397,15 +379,8 @@ private:
       std::for_each_n(this->Mesh.Used.GetData() + first, number,
         [](auto& mark) { mark.store(1, std::memory_order_relaxed); });
     }
-    this->Scalars->Place(local.Points.data(), number);
-    if (this->Mesh.Points.GetSize() > 0)
-    {
-      std::copy_n(local.Points.data(), number, this->Mesh.Points.GetData() + first);
-    }
-    else
-    {
-      this->Context.Arrays->Write(local.Points.data(), number, first);
-    }
+    PointOutput::Write(
+      this->Context, *this->Scalars, local.Points.data(), number, first, this->Mesh);
   }
 
   // Lists the points that a row owns. Each is written, whether it is there or not, and the next one
@@ -444,8 +419,8 @@ private:
     }
     for (int slot = 0; slot < Vertices + this->Table.GetNumberOfEdges(); ++slot)
     {
-      const Owner& owner = this->Owners[slot];
-      writer.Slots[slot] = ids[owner.Vertex >> 1] + Places * (owner.Vertex & 1) + owner.Place;
+      const SlotPlace& at = this->Slots[slot];
+      writer.Slots[slot] = ids[at.Row] + Places * at.Column + at.Direction;
     }
   }
 
@@ -489,20 +464,6 @@ private:
       });
   }
 
-  bool IsInverted(vtkIdType firstPoint) const
-  {
-    if (!this->Orientation.IsPerCell())
-    {
-      return this->Orientation.AreAllInverted();
-    }
-    vtkIdType vertices[Vertices];
-    for (int v = 0; v < Vertices; ++v)
-    {
-      vertices[v] = this->Rows.GetVertex(firstPoint, v);
-    }
-    return this->Orientation.IsInverted(vtkIsotable::HEXAHEDRON, vertices);
-  }
-
   template <typename Id>
   void WriteCells(
     Local& local, const Around& around, const Writer<Id>& writer, vtkIdType triangle, Id* ids)
@@ -517,7 +478,7 @@ private:
       [&](vtkIdType column, const vtkIsotable::Case& found, TiedCases::Tied* tied)
       {
         const auto& triangles = tied ? tied->Cut.GetSimplices() : found.Simplices;
-        const bool isInverted = this->IsInverted(firstPoint + column);
+        const bool isInverted = this->Orientation.IsInverted(this->Rows, firstPoint + column);
         const vtkIdType place = Places * column;
         for (const vtkIsotable::Simplex& corners : triangles)
         {
@@ -583,20 +544,13 @@ private:
     this->Context.NoteWorkingBytes(bytes);
   }
 
-  // Which corner of a cell owns a slot, and at which of its places.
-  struct Owner
-  {
-    Slot Vertex;
-    int Place;
-  };
-
   ExtractionContext& Context;
   const ExtractionValues::Item& Item;
   std::unique_ptr<ExtractionScalars> Scalars;
   ExtractionMesh& Mesh;
   const vtkIsotable& Table;
+  std::vector<SlotPlace> Slots;
   vtkIsotable::RankArray Ranks;
-  std::array<Owner, vtkIsotable::MaximumNumberOfSlots> Owners;
   CellOrientation Orientation;
   RowIndex Rows;
   vtkIdType Nx;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Static/GhostCells.h"
+#include "Pass/GhostCells.h"
 
 #include "Grid/GridWindow.h"
 #include "Scalars/ExtractionScalars.h"
-#include "Static/ExtractionCleanup.h"
-#include "Static/ExtractionContext.h"
+#include "Pass/ExtractionCleanup.h"
+#include "Pass/ExtractionContext.h"
 
 #include "vtkIdList.h"
 #include "vtkInformation.h"

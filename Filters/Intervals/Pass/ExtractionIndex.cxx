@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Static/ExtractionIndex.h"
+#include "Pass/ExtractionIndex.h"
 
 #include "Scalars/ExtractionDispatch.h"
 #include "Scalars/ExtractionValues.h"

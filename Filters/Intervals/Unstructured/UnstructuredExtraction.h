@@ -2,7 +2,7 @@
 #ifndef interlume_UnstructuredExtraction_h
 #define interlume_UnstructuredExtraction_h
 
-#include "Static/ExtractionContext.h"
+#include "Pass/ExtractionContext.h"
 
 class vtkUnstructuredGrid;
 

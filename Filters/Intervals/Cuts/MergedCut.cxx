@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Static/MergedCut.h"
+#include "Cuts/MergedCut.h"
 
 #include "Output/OppositePairs.h"
-#include "Static/ExtractionCell.h"
+#include "Cuts/ExtractionCell.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -6,8 +6,8 @@
 #include "Grid/CellOrientation.h"
 #include "Grid/CornerOrder.h"
 #include "Grid/WholeCells.h"
-#include "Static/ExtractionCell.h"
-#include "Static/ExtractionContext.h"
+#include "Cuts/ExtractionCell.h"
+#include "Pass/ExtractionContext.h"
 
 #include "vtkIdList.h"
 #include "vtkIsotable.h"

@@ -3,7 +3,7 @@
 #define interlume_ExtractionCleanup_h
 
 #include "Output/TiedFaces.h"
-#include "Static/ExtractionContext.h"
+#include "Pass/ExtractionContext.h"
 
 class vtkUnstructuredGrid;
 

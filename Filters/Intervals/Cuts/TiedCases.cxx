@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Static/TiedCases.h"
+#include "Cuts/TiedCases.h"
 
-#include "Static/ExtractionCell.h"
+#include "Cuts/ExtractionCell.h"
 
 #include <numeric>
 

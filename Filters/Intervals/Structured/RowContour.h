@@ -3,7 +3,7 @@
 #define interlume_RowContour_h
 
 #include "Grid/GridWindow.h"
-#include "Static/ExtractionContext.h"
+#include "Pass/ExtractionContext.h"
 
 namespace interlume
 {

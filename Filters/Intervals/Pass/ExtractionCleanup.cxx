@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Static/ExtractionCleanup.h"
+#include "Pass/ExtractionCleanup.h"
 
 #include "Arrays/PointArrays.h"
 #include "Grid/WholeCells.h"
 #include "Output/OppositePairs.h"
-#include "Static/WholeFaces.h"
+#include "Pass/WholeFaces.h"
 
 #include "vtkCellData.h"
 #include "vtkIdList.h"

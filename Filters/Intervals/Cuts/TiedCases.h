@@ -2,7 +2,7 @@
 #ifndef interlume_TiedCases_h
 #define interlume_TiedCases_h
 
-#include "Static/MergedCut.h"
+#include "Cuts/MergedCut.h"
 
 #include <cstdint>
 #include <vector>

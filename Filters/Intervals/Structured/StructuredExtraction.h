@@ -2,7 +2,7 @@
 #ifndef interlume_StructuredExtraction_h
 #define interlume_StructuredExtraction_h
 
-#include "Static/ExtractionContext.h"
+#include "Pass/ExtractionContext.h"
 
 namespace interlume
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Static/CrossingLists.h"
+#include "Unstructured/CrossingLists.h"
 
 #include "Common/Prefetch.h"
 #include "Scalars/ExtractionScalars.h"

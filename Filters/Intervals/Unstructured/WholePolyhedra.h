@@ -3,8 +3,8 @@
 #define interlume_WholePolyhedra_h
 
 #include "Grid/WholeCells.h"
-#include "Static/ExtractionContext.h"
-#include "Static/UnstructuredCells.h"
+#include "Pass/ExtractionContext.h"
+#include "Unstructured/UnstructuredCells.h"
 
 #include "vtkCellType.h"
 #include "vtkIdList.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Static/UnstructuredExtraction.h"
+#include "Unstructured/UnstructuredExtraction.h"
 
 #include "Common/GridCells.h"
 #include "Common/ThreadLocals.h"
@@ -8,12 +8,13 @@
 #include "Scalars/ExtractionScalars.h"
 #include "Soup/SoupArrays.h"
 #include "Soup/SoupBuilder.h"
-#include "Static/CrossingLists.h"
-#include "Static/ExtractionCell.h"
-#include "Static/ExtractionIndex.h"
-#include "Static/MergedCut.h"
-#include "Static/UnstructuredCells.h"
-#include "Static/WholePolyhedra.h"
+#include "Unstructured/ChunkCuts.h"
+#include "Unstructured/CrossingLists.h"
+#include "Cuts/ExtractionCell.h"
+#include "Pass/ExtractionIndex.h"
+#include "Cuts/MergedCut.h"
+#include "Unstructured/UnstructuredCells.h"
+#include "Unstructured/WholeParts.h"
 
 #include "vtkPointData.h"
 #include "vtkUnstructuredGrid.h"
@@ -39,53 +40,12 @@ constexpr vtkIdType ChunkSize = 256 * ExtractionIndex::RunLength;
 // How many cells ahead coordinates are asked for.
 constexpr int CellsAhead = 4;
 
-// The size of what a cut of its own left.
-struct CutSize
-{
-  CutSize(std::size_t simplices, std::size_t triangles)
-    : Simplices(static_cast<std::uint8_t>(simplices))
-    , Triangles(static_cast<std::uint8_t>(triangles))
-  {
-  }
-
-  std::uint8_t Simplices;
-  std::uint8_t Triangles;
-};
-
-// A case met in a chunk of cells.
-struct Found
-{
-  Found(vtkIdType position, int key, std::size_t item, bool isPlain, bool isMerged, bool isInverted)
-    : Position(static_cast<std::uint16_t>(position))
-    , Key(static_cast<std::uint16_t>(key))
-    , Item(static_cast<std::uint16_t>(item))
-    , IsPlain(isPlain)
-    , IsMerged(isMerged)
-    , IsInverted(isInverted)
-  {
-  }
-
-  // The place of the cell, counted from the chunk's first.
-  std::uint16_t Position;
-  std::uint16_t Key;
-  std::uint16_t Item;
-  // Whether the table's own cut serves: corners in ascending order, no two slots one point.
-  bool IsPlain;
-  // Whether slots were made one.
-  bool IsMerged;
-  bool IsInverted;
-};
-
 // The result of the counting pass for a chunk of cells, which the writing pass uses.
 struct Chunk
 {
-  std::vector<Found> Cases;
+  ChunkCuts Cuts;
   // The points of all cases, where nodes are kept.
   std::vector<const CrossingLists::Node*> Nodes;
-  // The cuts of cases for which that of the table does not serve, one after the other.
-  std::vector<CutSize> Cuts;
-  std::vector<vtkIsotable::Simplex> CutSimplices;
-  std::vector<vtkIsotable::Triangle> CutTriangles;
   std::vector<vtkIdType> TiedTriangles;
   std::vector<vtkIdType> TiedSimplices;
   // The triangles, where they share no points.
@@ -96,10 +56,7 @@ struct Chunk
 
   std::size_t GetBytes() const
   {
-    return this->Cases.capacity() * sizeof(Found) + this->Nodes.capacity() * sizeof(void*) +
-      this->Cuts.capacity() * sizeof(CutSize) +
-      this->CutSimplices.capacity() * sizeof(vtkIsotable::Simplex) +
-      this->CutTriangles.capacity() * sizeof(vtkIsotable::Triangle) + this->Soup.GetBytes();
+    return this->Cuts.GetBytes() + this->Nodes.capacity() * sizeof(void*) + this->Soup.GetBytes();
   }
 };
 
@@ -137,45 +94,6 @@ struct Cell
   bool IsReflected;
 };
 
-// A case as it is cut in a cell.
-struct Cut
-{
-  const vtkIsotable::Simplex* Simplices;
-  std::size_t NumberOfSimplices;
-  const vtkIsotable::Triangle* Triangles;
-  std::size_t NumberOfTriangles;
-  const Slot* Slots;
-  std::size_t NumberOfSlots;
-};
-
-// The ends of the edge of a slot, and which isovalue crosses it.
-struct SlotEnds
-{
-  Slot A;
-  Slot B;
-  bool IsUpper;
-};
-
-// What only extractions that keep whole cells have.
-template <typename Stored, bool KeepsWhole>
-struct WholeParts
-{
-  WholeParts(const ExtractionContext&, const UnstructuredCells<Stored>&) {}
-};
-
-template <typename Stored>
-struct WholeParts<Stored, true>
-{
-  WholeParts(const ExtractionContext& context, const UnstructuredCells<Stored>& cells)
-    : Cells(*context.Whole)
-    , Polyhedra(context, cells)
-  {
-  }
-
-  const WholeCells& Cells;
-  WholePolyhedra<Stored> Polyhedra;
-};
-
 template <typename Stored, bool KeepsWhole>
 class Extractor
 {
@@ -194,7 +112,8 @@ public:
     , Mesh(mesh)
     , NumberOfPoints(grid->GetNumberOfPoints())
     , NumberOfCells(grid->GetNumberOfCells())
-    , SimplexSize(context.GetSimplexSize())
+    , Tables(context.Values->GetKind())
+    , CutKind{ context.GetSimplexSize(), context.GenerateBoundaries }
     , Marks(*context.Values, grid->GetNumberOfPoints())
     , AreIdsRanks(
         Order.IsById() && grid->GetNumberOfPoints() <= std::numeric_limits<std::uint32_t>::max())
@@ -203,19 +122,6 @@ public:
     if (!context.Soup || context.TakeDuplicates)
     {
       this->Points.emplace(this->NumberOfPoints, this->KeepsNodes);
-    }
-    for (int shape = 0; shape < vtkIsotable::NUMBER_OF_SHAPES; ++shape)
-    {
-      this->Tables[shape] =
-        &vtkIsotable::Get(this->Values.GetKind(), static_cast<vtkIsotable::Shapes>(shape));
-      const vtkIsotable& table = *this->Tables[shape];
-      const int n = table.GetNumberOfVertices();
-      const int m = table.GetNumberOfEdges();
-      for (int slot = n; slot < n + 2 * m; ++slot)
-      {
-        const auto& edge = table.GetEdge((slot - n) % m);
-        this->Ends[shape][slot] = { edge[0], edge[1], slot >= n + m };
-      }
     }
   }
 
@@ -290,7 +196,8 @@ private:
         for (vtkIdType chunk = first; chunk < last; ++chunk)
         {
           this->ForEachCut(chunk,
-            [&](vtkIdType id, vtkIsotable::Shapes, const Found& found, const Cut& cut)
+            [&](
+              vtkIdType id, vtkIsotable::Shapes, const ChunkCuts::Found& found, const CellCut& cut)
             {
               this->ReadNext(id, cell);
               this->EnterCut(
@@ -394,59 +301,10 @@ private:
       (!cell.IsAscending && ExtractionCell::IsCollapsed(cell.Ids, cell.NumberOfCorners));
   }
 
-  Cut GetTableCut(const vtkIsotable::Case& what) const
-  {
-    return { what.Simplices.data(), what.Simplices.size(), what.Boundary.data(),
-      this->Context.GenerateBoundaries ? what.Boundary.size() : 0, what.Slots.data(),
-      what.Slots.size() };
-  }
-
-  // Returns a cut of a case that was kept. Any cut uses all points of the case, but for one in
-  // which slots were made one: of that only the points of simplices that keep all their points are
-  // used; their slots are put into \a slots.
-  Cut GetOwnCut(const Chunk& chunk, CutSize size, std::size_t firstSimplex,
-    std::size_t firstTriangle, const vtkIsotable::Case& what, bool isMerged, Slot* slots) const
-  {
-    Cut cut{ chunk.CutSimplices.data() + firstSimplex, size.Simplices,
-      chunk.CutTriangles.data() + firstTriangle, size.Triangles, what.Slots.data(),
-      what.Slots.size() };
-    if (!isMerged)
-    {
-      return cut;
-    }
-    cut.Slots = slots;
-    cut.NumberOfSlots = 0;
-    std::uint32_t used = 0;
-    const auto use = [&](Slot slot)
-    {
-      slots[cut.NumberOfSlots] = slot;
-      cut.NumberOfSlots += !((used >> slot) & 1);
-      used |= std::uint32_t(1) << slot;
-    };
-    for (std::size_t s = 0; s < cut.NumberOfSimplices; ++s)
-    {
-      std::for_each_n(cut.Simplices[s].begin(), this->SimplexSize, use);
-    }
-    for (std::size_t t = 0; t < cut.NumberOfTriangles; ++t)
-    {
-      std::for_each_n(cut.Triangles[t].begin(), 3, use);
-    }
-    return cut;
-  }
-
   // Returns the point of a slot, as its owner and its key there.
   CrossingKey GetPoint(const Cell& cell, const Item& item, Slot slot, vtkIdType& owner) const
   {
-    if (slot < cell.NumberOfCorners)
-    {
-      owner = cell.Ids[slot];
-      return {};
-    }
-    const SlotEnds& ends = this->Ends[cell.Shape][slot];
-    const vtkIdType a = cell.Ids[ends.A];
-    const vtkIdType b = cell.Ids[ends.B];
-    owner = std::min(a, b);
-    return { std::max(a, b), ends.IsUpper ? item.Upper : item.Lower };
+    return this->Tables.GetPoint(cell.Shape, cell.Ids, cell.NumberOfCorners, item, slot, owner);
   }
 
   void CountChunk(vtkIdType number)
@@ -476,7 +334,7 @@ private:
         this->FindNear(first, last, begin, near, numberNear, chunk.Report);
       }
     }
-    chunk.Cases.reserve(numberNear);
+    chunk.Cuts.Reserve(numberNear);
     const bool isPlain = soup && this->Marks.AreOfOneValue();
     Cell cell{};
     std::vector<vtkIdType> points;
@@ -519,7 +377,7 @@ private:
   {
     if constexpr (KeepsWhole)
     {
-      const vtkIdType firstPassed = std::max(first, this->Whole.Cells.GetFirstPassed());
+      const vtkIdType firstPassed = std::max(first, this->Whole.GetFirstPassed());
       for (vtkIdType id = firstPassed; id < last; ++id)
       {
         near[numberNear++] = static_cast<std::uint16_t>(id - begin);
@@ -575,7 +433,7 @@ private:
     {
       return false;
     }
-    const vtkIsotable::Case& what = this->Tables[cell.Shape]->GetCase(static_cast<int>(key));
+    const vtkIsotable::Case& what = this->Tables[cell.Shape].GetCase(static_cast<int>(key));
     const bool isInverted = this->IsInverted(cell);
     const Item& item = this->Values.GetItems().front();
     SoupPart::Index points[vtkIsotable::MaximumNumberOfSlots];
@@ -585,7 +443,7 @@ private:
     for (const Slot slot : what.Slots)
     {
       // Without ties no slot is a corner, and a contour has one value on an edge.
-      const SlotEnds& ends = this->Ends[cell.Shape][slot];
+      const ShapeTables::SlotEnds& ends = this->Tables.GetEnds(cell.Shape, slot);
       const auto [owner, far] = std::minmax({ cell.Ids[ends.A], cell.Ids[ends.B] });
       points[slot] = soup.Enter(owner, CrossingKey(far, item.Lower));
       ranks[slot] = (static_cast<std::uint64_t>(owner) << 32) | static_cast<std::uint64_t>(far);
@@ -594,19 +452,20 @@ private:
     std::size_t number = what.Simplices.size();
     if (!cell.IsAscending)
     {
-      const std::size_t first = chunk.CutSimplices.size();
-      this->Tables[cell.Shape]->Cut(
-        what, ranks, [&chunk](const vtkIsotable::Simplex& s) { chunk.CutSimplices.push_back(s); },
+      const ChunkCuts::Place begin = chunk.Cuts.Begin();
+      this->Tables[cell.Shape].Cut(
+        what, ranks, [&chunk](const vtkIsotable::Simplex& s) { chunk.Cuts.AddSimplex(s); },
         [](const vtkIsotable::Triangle&) {});
-      simplices = chunk.CutSimplices.data() + first;
-      number = chunk.CutSimplices.size() - first;
-      chunk.Cuts.emplace_back(number, 0);
+      chunk.Cuts.End(begin);
+      ChunkCuts::SlotRoom slots;
+      const CellCut cut = chunk.Cuts.GetLast(begin, what, false, this->CutKind, slots);
+      simplices = cut.Simplices;
+      number = cut.NumberOfSimplices;
     }
     soup.Add(simplices, number, points, isInverted);
     chunk.Simplices += static_cast<vtkIdType>(number);
     ++chunk.Report.CellsWithOutput;
-    chunk.Cases.emplace_back(
-      position, static_cast<int>(key), 0, cell.IsAscending, false, isInverted);
+    chunk.Cuts.Add(position, static_cast<int>(key), 0, cell.IsAscending, false, isInverted);
     return true;
   }
 
@@ -641,7 +500,7 @@ private:
       }
       if constexpr (KeepsWhole)
       {
-        if (this->IsWhole(cell.Id, item, least, greatest))
+        if (this->Whole.IsWhole(cell.Id, item, least, greatest))
         {
           this->EnterWhole(cell.Id, position, number, chunk, arena, points);
           continue;
@@ -652,13 +511,13 @@ private:
       {
         key += power * item.GetDigit(cell.Codes[v]);
       }
-      const vtkIsotable::Case& what = this->Tables[cell.Shape]->GetCase(key);
+      const vtkIsotable::Case& what = this->Tables[cell.Shape].GetCase(key);
       Slot same[vtkIsotable::MaximumNumberOfSlots];
       const bool isMerged = this->Merge(cell, item, what, same);
       const bool isPlain = cell.IsAscending && !isMerged;
-      Slot slots[vtkIsotable::MaximumNumberOfSlots];
-      const Cut cut = isPlain
-        ? this->GetTableCut(what)
+      ChunkCuts::SlotRoom slots;
+      const CellCut cut = isPlain
+        ? ChunkCuts::GetTableCut(what, this->CutKind)
         : this->MakeCut(cell, item, what, isMerged ? same : nullptr, merged, chunk, slots);
       if (soup)
       {
@@ -674,14 +533,14 @@ private:
       }
       chunk.Simplices += static_cast<vtkIdType>(cut.NumberOfSimplices);
       chunk.Triangles += static_cast<vtkIdType>(cut.NumberOfTriangles);
-      chunk.Cases.emplace_back(position, key, number, isPlain, isMerged, isInverted);
+      chunk.Cuts.Add(position, key, number, isPlain, isMerged, isInverted);
     }
     chunk.Report.CellsWithOutput += GetOutput(chunk) != before;
   }
 
   // Enters the points of a cut.
-  void EnterCut(
-    const Cell& cell, const Item& item, const Cut& cut, Chunk& chunk, CrossingLists::Arena& arena)
+  void EnterCut(const Cell& cell, const Item& item, const CellCut& cut, Chunk& chunk,
+    CrossingLists::Arena& arena)
   {
     for (std::size_t s = 0; s < cut.NumberOfSlots; ++s)
     {
@@ -696,8 +555,8 @@ private:
   }
 
   // Adds the triangles of a cut, each with points of its own.
-  void AddToSoup(
-    const Cell& cell, const Item& item, const Cut& cut, bool isInverted, SoupBuilder& soup) const
+  void AddToSoup(const Cell& cell, const Item& item, const CellCut& cut, bool isInverted,
+    SoupBuilder& soup) const
   {
     SoupPart::Index points[vtkIsotable::MaximumNumberOfSlots];
     soup.Reserve();
@@ -711,11 +570,11 @@ private:
   }
 
   // Notes whether triangles of a cell with merged slots lie in one face of it.
-  void FindTiedFaces(vtkIsotable::Shapes shape, const Cut& cut, MergedCut& merged)
+  void FindTiedFaces(vtkIsotable::Shapes shape, const CellCut& cut, MergedCut& merged)
   {
     if (std::any_of(cut.Simplices, cut.Simplices + cut.NumberOfSimplices,
           [&](const vtkIsotable::Simplex& simplex)
-          { return merged.IsInFace(*this->Tables[shape], simplex); }))
+          { return merged.IsInFace(this->Tables[shape], simplex); }))
     {
       this->HasTiedFaces.store(true, std::memory_order_relaxed);
     }
@@ -737,32 +596,12 @@ private:
   {
     if constexpr (KeepsWhole)
     {
-      return this->Whole.Polyhedra.FindRanges(
-        this->Codes.GetData(), this->NumberOfCells, 0.05, 0.05);
+      return this->Whole.FindRanges(this->Codes.GetData(), this->NumberOfCells);
     }
     else
     {
       return true;
     }
-  }
-
-  // Returns whether a cell whose codes are least ... greatest is passed on whole. A tetrahedron is
-  // not: its case is that tetrahedron.
-  bool IsWhole(vtkIdType id, const Item& item, Code least, Code greatest) const
-  {
-    if (this->Whole.Cells.IsPart(id))
-    {
-      return this->Whole.Polyhedra.IsInside(id, item);
-    }
-    const CellCorners& corners = this->Cells.GetCorners(id);
-    if (corners.Shape == vtkIsotable::TETRAHEDRON || !item.IsInside(least, greatest))
-    {
-      return false;
-    }
-    vtkIdType ids[8];
-    this->Cells.GetIds(id, corners, ids);
-    return std::all_of(ids, ids + corners.NumberOfCorners,
-      [this](vtkIdType point) { return this->Whole.Cells.MayHave(point); });
   }
 
   // Counts a cell that is whole in each interval that it touches. Returns false, and counts
@@ -772,7 +611,7 @@ private:
   {
     if constexpr (KeepsWhole)
     {
-      if (this->Whole.Cells.IsPassed(id))
+      if (this->Whole.IsPassed(id))
       {
         this->EnterWhole(id, position, 0, chunk, arena, points);
         ++chunk.Report.CellsWithOutput;
@@ -793,7 +632,7 @@ private:
             [&](const Item& item)
             {
               return this->Values.IsOutside(item, least, greatest) ||
-                this->IsWhole(id, item, least, greatest);
+                this->Whole.IsWhole(id, item, least, greatest);
             }))
       {
         return false;
@@ -815,34 +654,10 @@ private:
     }
   }
 
-  // Gives the points of a cell that is passed on whole, in their order in the input; none of a part
-  // of a polyhedron but the first. Returns its type.
-  unsigned char GetWholePoints(vtkIdType id, std::vector<vtkIdType>& points) const
-  {
-    if (this->Whole.Cells.IsPassed(id))
-    {
-      this->Cells.GetStored(id, points);
-      return this->Cells.GetType(id);
-    }
-    if (this->Whole.Cells.IsPart(id))
-    {
-      points.clear();
-      if (this->Whole.Cells.IsFirstPart(id))
-      {
-        this->Whole.Polyhedra.GetPoints(id, points);
-      }
-      return this->Whole.Polyhedra.GetType(id);
-    }
-    this->Cells.GetStored(id, points);
-    const CellCorners& corners = this->Cells.GetCorners(id);
-    points.resize(corners.NumberOfCorners);
-    return corners.Kind == CellCorners::LINEAR ? this->Cells.GetType(id) : corners.GetLinearType();
-  }
-
   void EnterWhole(vtkIdType id, vtkIdType position, std::size_t item, Chunk& chunk,
     CrossingLists::Arena* arena, std::vector<vtkIdType>& points)
   {
-    this->GetWholePoints(id, points);
+    this->Whole.GetPoints(id, points);
     if (points.empty())
     {
       return;
@@ -866,7 +681,7 @@ private:
     }
     std::iota(same, same + vtkIsotable::MaximumNumberOfSlots, Slot(0));
     ExtractionCell::IdentifyAll(
-      *this->Tables[cell.Shape], item, cell.Codes, what.Slots,
+      this->Tables[cell.Shape], item, cell.Codes, what.Slots,
       ExtractionCell::IsCollapsed(cell.Ids, cell.NumberOfCorners),
       [&](Slot slot)
       {
@@ -880,21 +695,20 @@ private:
 
   // Cuts a case in the global order, and keeps the cut; \a same tells which slots are the same
   // point, where there are such.
-  Cut MakeCut(const Cell& cell, const Item& item, const vtkIsotable::Case& what, const Slot* same,
-    MergedCut& merged, Chunk& chunk, Slot* slots) const
+  CellCut MakeCut(const Cell& cell, const Item& item, const vtkIsotable::Case& what,
+    const Slot* same, MergedCut& merged, Chunk& chunk, ChunkCuts::SlotRoom& slots) const
   {
-    const vtkIsotable& table = *this->Tables[cell.Shape];
-    const std::size_t firstSimplex = chunk.CutSimplices.size();
-    const std::size_t firstTriangle = chunk.CutTriangles.size();
+    const vtkIsotable& table = this->Tables[cell.Shape];
+    const ChunkCuts::Place begin = chunk.Cuts.Begin();
     Slot vertexRanks[8];
     this->Order.Rank(cell.Ids, cell.NumberOfCorners, vertexRanks);
     const vtkIsotable::RankArray ranks = table.GetSlotRanks(vertexRanks);
-    const auto simplex = [&](const vtkIsotable::Simplex& s) { chunk.CutSimplices.push_back(s); };
+    const auto simplex = [&](const vtkIsotable::Simplex& s) { chunk.Cuts.AddSimplex(s); };
     const auto boundary = [&](const vtkIsotable::Triangle& t)
     {
       if (this->Context.GenerateBoundaries)
       {
-        chunk.CutTriangles.push_back(t);
+        chunk.Cuts.AddTriangle(t);
       }
     };
     if (same)
@@ -908,10 +722,8 @@ private:
     {
       table.Cut(what, ranks, simplex, boundary);
     }
-    chunk.Cuts.emplace_back(
-      chunk.CutSimplices.size() - firstSimplex, chunk.CutTriangles.size() - firstTriangle);
-    return this->GetOwnCut(
-      chunk, chunk.Cuts.back(), firstSimplex, firstTriangle, what, same != nullptr, slots);
+    chunk.Cuts.End(begin);
+    return chunk.Cuts.GetLast(begin, what, same != nullptr, this->CutKind, slots);
   }
 
   // Turns the counts of chunks into the places where they begin, and makes room for all.
@@ -939,7 +751,7 @@ private:
       this->Context.Report->Add(chunk.Report);
     }
     this->Mesh.Allocate(static_cast<vtkIdType>(this->Mesh.Points.GetSize()), simplices,
-      this->SimplexSize, triangles, this->Context.KeepCellIds, whole, wholeIds);
+      this->CutKind.SimplexSize, triangles, this->Context.KeepCellIds, whole, wholeIds);
     if (!this->Points)
     {
       this->Mesh.Simplices.NumberConsecutively();
@@ -962,27 +774,9 @@ private:
   template <typename Visitor>
   void ForEachCut(vtkIdType number, Visitor&& visit) const
   {
-    const Chunk& chunk = this->Chunks[number];
-    auto own = chunk.Cuts.begin();
-    std::size_t ownSimplex = 0;
-    std::size_t ownTriangle = 0;
-    Slot slots[vtkIsotable::MaximumNumberOfSlots];
-    for (const Found& found : chunk.Cases)
-    {
-      const vtkIdType id = number * ChunkSize + found.Position;
-      const vtkIsotable::Shapes shape = this->Cells.GetCorners(id).Shape;
-      const vtkIsotable::Case& what = this->Tables[shape]->GetCase(found.Key);
-      const Cut cut = found.IsPlain
-        ? this->GetTableCut(what)
-        : this->GetOwnCut(chunk, *own, ownSimplex, ownTriangle, what, found.IsMerged, slots);
-      if (!found.IsPlain)
-      {
-        ownSimplex += own->Simplices;
-        ownTriangle += own->Triangles;
-        ++own;
-      }
-      visit(id, shape, found, cut);
-    }
+    this->Chunks[number].Cuts.ForEach(
+      number * ChunkSize, this->Tables, this->CutKind,
+      [this](vtkIdType cell) { return this->Cells.GetCorners(cell).Shape; }, visit);
   }
 
   void WriteChunk(vtkIdType number)
@@ -996,7 +790,8 @@ private:
     Cell cell{};
     cell.Id = -1;
     this->ForEachCut(number,
-      [&](vtkIdType id, vtkIsotable::Shapes shape, const Found& found, const Cut& cut)
+      [&](
+        vtkIdType id, vtkIsotable::Shapes shape, const ChunkCuts::Found& found, const CellCut& cut)
       {
         if (this->KeepsNodes)
         {
@@ -1032,7 +827,7 @@ private:
     {
       vtkIdType simplex = chunk.Simplices;
       this->ForEachCut(number,
-        [&](vtkIdType id, vtkIsotable::Shapes, const Found& found, const Cut& cut)
+        [&](vtkIdType id, vtkIsotable::Shapes, const ChunkCuts::Found& found, const CellCut& cut)
         {
           this->Mesh.NoteSimplices(simplex, cut.NumberOfSimplices, found.Item, id);
           simplex += static_cast<vtkIdType>(cut.NumberOfSimplices);
@@ -1049,7 +844,7 @@ private:
     for (const FoundWhole& found : chunk.WholeCases)
     {
       const vtkIdType id = begin + found.Position;
-      const unsigned char type = this->GetWholePoints(id, points);
+      const unsigned char type = this->Whole.GetPoints(id, points);
       for (vtkIdType& point : points)
       {
         point = this->Points->GetId(point, {});
@@ -1062,8 +857,8 @@ private:
 
   // Notes the simplices and triangles of a cell with merged slots that have to be compared with
   // those of its neighbours.
-  void NoteTied(vtkIsotable::Shapes shape, const Cut& cut, vtkIdType simplex, vtkIdType triangle,
-    MergedCut& merged, Chunk& chunk) const
+  void NoteTied(vtkIsotable::Shapes shape, const CellCut& cut, vtkIdType simplex,
+    vtkIdType triangle, MergedCut& merged, Chunk& chunk) const
   {
     for (std::size_t t = 0; t < cut.NumberOfTriangles; ++t)
     {
@@ -1071,7 +866,7 @@ private:
     }
     for (std::size_t s = 0; s < cut.NumberOfSimplices; ++s)
     {
-      if (merged.IsInFace(*this->Tables[shape], cut.Simplices[s]))
+      if (merged.IsInFace(this->Tables[shape], cut.Simplices[s]))
       {
         chunk.TiedSimplices.push_back(simplex + static_cast<vtkIdType>(s));
       }
@@ -1079,7 +874,7 @@ private:
   }
 
   // Finds the output ids of a cut's points, by slot.
-  void FindIds(const Cell& cell, const Item& item, const Cut& cut, vtkIdType* ids) const
+  void FindIds(const Cell& cell, const Item& item, const CellCut& cut, vtkIdType* ids) const
   {
     for (std::size_t s = 0; s < cut.NumberOfSlots; ++s)
     {
@@ -1089,8 +884,8 @@ private:
     }
   }
 
-  void WriteCut(vtkIdType cell, const Found& found, const Cut& cut, const vtkIdType* ids,
-    vtkIdType& simplex, vtkIdType& triangle)
+  void WriteCut(vtkIdType cell, const ChunkCuts::Found& found, const CellCut& cut,
+    const vtkIdType* ids, vtkIdType& simplex, vtkIdType& triangle)
   {
     this->Mesh.Simplices.Write(
       simplex, cut.Simplices, cut.NumberOfSimplices, ids, found.IsInverted);
@@ -1114,9 +909,8 @@ private:
   ExtractionMesh& Mesh;
   vtkIdType NumberOfPoints;
   vtkIdType NumberOfCells;
-  int SimplexSize;
-  const vtkIsotable* Tables[vtkIsotable::NUMBER_OF_SHAPES];
-  SlotEnds Ends[vtkIsotable::NUMBER_OF_SHAPES][vtkIsotable::MaximumNumberOfSlots];
+  ShapeTables Tables;
+  ChunkCuts::Kind CutKind;
 
   ExtractionBuffer<Code> Codes;
   PointMarks Marks;

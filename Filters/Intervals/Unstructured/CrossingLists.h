@@ -6,7 +6,7 @@
 #include "Common/ThreadLocals.h"
 #include "Output/CrossingKey.h"
 #include "Output/ExtractionBuffer.h"
-#include "Static/ExtractionContext.h"
+#include "Pass/ExtractionContext.h"
 
 #include <atomic>
 #include <cstdint>

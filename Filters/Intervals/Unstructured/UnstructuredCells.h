@@ -4,7 +4,7 @@
 
 #include "Common/GridCells.h"
 #include "Grid/CellCorners.h"
-#include "Static/PointMarks.h"
+#include "Unstructured/PointMarks.h"
 
 #include "vtkCellArray.h"
 #include "vtkSmartPointer.h"

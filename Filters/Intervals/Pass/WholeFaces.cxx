@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Static/WholeFaces.h"
+#include "Pass/WholeFaces.h"
 
 #include "Common/ThreadLocals.h"
 #include "Common/Vectors.h"
 #include "Output/TiedFaces.h"
-#include "Static/ExtractionCleanup.h"
+#include "Pass/ExtractionCleanup.h"
 
 #include "vtkPointSet.h"
 #include "vtkPoints.h"

@@ -151,8 +151,8 @@ struct ExtractionMesh
     }
   }
 
-  /// A mark for each point, set where a simplex uses it; only where there may be other points. Where
-  /// there are marks before tied simplices have been compared, these have not set theirs.
+  /// A mark for each point, set where a simplex uses it; only where there may be other points.
+  /// Where there are marks before tied simplices have been compared, these have not set theirs.
   ExtractionBuffer<std::atomic<unsigned char>> Used;
 };
 
