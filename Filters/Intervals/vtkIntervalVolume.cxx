@@ -6,11 +6,11 @@
 #include "Grid/WholeCells.h"
 #include "Output/KeptMemory.h"
 #include "Output/ProcessBalance.h"
+#include "Pass/ExtractionIndex.h"
+#include "Pass/GhostCells.h"
 #include "Static/EmptyResult.h"
 #include "Static/Extraction.h"
-#include "Pass/ExtractionIndex.h"
 #include "Static/ExtractionInput.h"
-#include "Pass/GhostCells.h"
 
 #include "vtkCellData.h"
 #include "vtkCommand.h"

@@ -4,11 +4,11 @@
 #include "Arrays/ExtractionArrays.h"
 #include "Common/IntervalCheck.h"
 #include "Output/ProcessBalance.h"
+#include "Pass/ExtractionIndex.h"
+#include "Pass/GhostCells.h"
 #include "Static/EmptyResult.h"
 #include "Static/Extraction.h"
-#include "Pass/ExtractionIndex.h"
 #include "Static/ExtractionInput.h"
-#include "Pass/GhostCells.h"
 
 #include "vtkCommand.h"
 #include "vtkDataSet.h"

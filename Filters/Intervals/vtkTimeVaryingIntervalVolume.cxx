@@ -2,9 +2,9 @@
 #include "vtkTimeVaryingIntervalVolume.h"
 
 #include "Output/ProcessBalance.h"
+#include "Pass/GhostCells.h"
 #include "Static/EmptyResult.h"
 #include "Static/ExtractionInput.h"
-#include "Pass/GhostCells.h"
 #include "TimeVarying/TimeVaryingRun.h"
 
 #include "vtkDataObjectTypes.h"

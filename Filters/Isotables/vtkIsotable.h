@@ -143,6 +143,19 @@ public:
   template <typename Visitor>
   void CutSides(const Case& what, const RankArray& ranks, Visitor&& triangle) const
   {
+    this->ForEachSide(what,
+      [&](const Slot* slots, int number)
+      {
+        PullPolygon(
+          slots, number, ranks, [](Slot slot) { return slot; },
+          [&](Slot a, Slot b, Slot c) { triangle(a, b, c, slots, number); });
+      });
+  }
+
+  /// Calls face(slots, number) for the faces of the pieces of an interval's case.
+  template <typename Visitor>
+  void ForEachSide(const Case& what, Visitor&& face) const
+  {
     for (const Slot* at = what.Pieces.data(); at != what.Pieces.data() + what.Pieces.size();)
     {
       at += 1 + at[0];
@@ -151,9 +164,7 @@ public:
         const int number = at[1];
         const Slot* slots = at + 2;
         at = slots + number;
-        PullPolygon(
-          slots, number, ranks, [](Slot slot) { return slot; },
-          [&](Slot a, Slot b, Slot c) { triangle(a, b, c, slots, number); });
+        face(slots, number);
       }
     }
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cuts/MergedCut.h"
 
-#include "Output/OppositePairs.h"
 #include "Cuts/ExtractionCell.h"
+#include "Output/OppositePairs.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -107,6 +107,30 @@ public:
                           this->NarrowOffsets->GetValue(at), this->NarrowOffsets->GetValue(at + 1));
   }
 
+  /// Calls visit(cell, ids, number) for the whole cells, by any number of threads.
+  template <typename Visitor>
+  void ForEachWhole(Visitor&& visit) const
+  {
+    if (this->NumberOfWhole == 0)
+    {
+      return;
+    }
+    this->VisitAll(
+      [&](const auto* values, const auto* offsets)
+      {
+        vtkSMPTools::For(0, this->NumberOfWhole,
+          [&, offsets = offsets + this->Number](vtkIdType first, vtkIdType last)
+          {
+            std::vector<vtkIdType> ids;
+            for (vtkIdType cell = first; cell < last; ++cell)
+            {
+              ids.assign(values + offsets[cell], values + offsets[cell + 1]);
+              visit(cell, ids.data(), static_cast<int>(ids.size()));
+            }
+          });
+      });
+  }
+
   /// Writes a whole cell, whose ids begin at \a place.
   void WriteWhole(vtkIdType cell, vtkIdType place, const vtkIdType* ids, int number)
   {
@@ -193,7 +217,7 @@ public:
 
   /// Calls \a visit(ids) with the ids of all cells, in the type they are stored in.
   template <typename Visitor>
-  void Visit(Visitor&& visit)
+  void Visit(Visitor&& visit) const
   {
     if (this->Narrow)
     {
@@ -345,7 +369,7 @@ private:
 
   // Visits the ids and the offsets, where there are whole cells.
   template <typename Visitor>
-  void VisitAll(Visitor&& visit)
+  void VisitAll(Visitor&& visit) const
   {
     if (this->Narrow)
     {

@@ -287,7 +287,7 @@ void ExtractionCleanup::SettleTiedTriangles(const ExtractionContext& context, Ex
   if (context.Whole && !faces.IsEmpty())
   {
     const WholeFaces whole(context, mesh);
-    whole.ForEachCell(
+    mesh.Simplices.ForEachWhole(
       [&](vtkIdType cell, const vtkIdType* ids, int number)
       {
         const vtkIdType place = simplices + cell;

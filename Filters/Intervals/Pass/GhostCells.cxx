@@ -2,9 +2,9 @@
 #include "Pass/GhostCells.h"
 
 #include "Grid/GridWindow.h"
-#include "Scalars/ExtractionScalars.h"
 #include "Pass/ExtractionCleanup.h"
 #include "Pass/ExtractionContext.h"
+#include "Scalars/ExtractionScalars.h"
 
 #include "vtkIdList.h"
 #include "vtkInformation.h"

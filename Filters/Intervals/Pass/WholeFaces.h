@@ -2,11 +2,11 @@
 #ifndef interlume_WholeFaces_h
 #define interlume_WholeFaces_h
 
+#include "Cuts/ExtractionCell.h"
 #include "Grid/CellCorners.h"
 #include "Grid/CellOrientation.h"
 #include "Grid/CornerOrder.h"
 #include "Grid/WholeCells.h"
-#include "Cuts/ExtractionCell.h"
 #include "Pass/ExtractionContext.h"
 
 #include "vtkIdList.h"
@@ -55,27 +55,6 @@ public:
   {
   }
 
-  /// Calls visit(cell, ids, number) for each whole cell, with the output's ids of its points.
-  template <typename Visitor>
-  void ForEachCell(Visitor&& visit) const
-  {
-    vtkSMPTools::For(0, this->Mesh.Simplices.GetNumberOfWhole(),
-      [&](vtkIdType first, vtkIdType last)
-      {
-        std::vector<vtkIdType> ids;
-        for (vtkIdType cell = first; cell < last; ++cell)
-        {
-          const auto places = this->Mesh.Simplices.GetWhole(cell);
-          ids.clear();
-          for (vtkIdType at = places.first; at < places.second; ++at)
-          {
-            ids.push_back(this->Mesh.Simplices.GetIdAt(at));
-          }
-          visit(cell, ids.data(), static_cast<int>(ids.size()));
-        }
-      });
-  }
-
   /// Calls visit(triangle, polygon) for each triangle of a whole cell's faces, outward, with the
   /// face that it is of; both have the output's ids. A face of a polyhedron that has more than four
   /// points is triangles.
@@ -90,15 +69,51 @@ public:
     }
     vtkIdType points[8];
     vtkIdType outputs[8];
-    for (int v = 0; v < number; ++v)
-    {
-      outputs[v] = ids[corners.Turned ? v ^ ((v >> 1) & 1) : v];
-      points[v] = this->Mesh.Points[outputs[v]].Near;
-    }
+    TurnCorners(corners, ids, number, outputs);
+    std::transform(outputs, outputs + number, points,
+      [this](vtkIdType id) { return this->Mesh.Points[id].Near; });
     this->VisitCell(corners.Shape, points, outputs, number, visit);
   }
 
+  /// Returns whether isSought(polygon) for any face of a whole cell, which takes less time than to
+  /// visit its triangles; always for a polyhedron.
+  template <typename Predicate>
+  bool HasFace(vtkIdType cell, const vtkIdType* ids, int number, Predicate&& isSought) const
+  {
+    const CellCorners corners = CellCorners::Of(this->Mesh.WholeTypes[cell]);
+    if (corners.Kind == CellCorners::POLYHEDRAL)
+    {
+      return true;
+    }
+    vtkIdType outputs[8];
+    TurnCorners(corners, ids, number, outputs);
+    bool isFound = false;
+    const vtkIsotable& table = vtkIsotable::Get(vtkIsotable::INTERVAL, corners.Shape);
+    table.ForEachSide(table.GetCase(ExtractionCell::GetKeyInside(number)),
+      [&](const vtkIsotable::Slot* slots, int size)
+      { isFound = isFound || isSought(MakePolygon(outputs, slots, size)); });
+    return isFound;
+  }
+
 private:
+  // Gives the corners in the order of the cell's table.
+  static void TurnCorners(
+    const CellCorners& corners, const vtkIdType* ids, int number, vtkIdType* turned)
+  {
+    for (int v = 0; v < number; ++v)
+    {
+      turned[v] = ids[corners.Turned ? v ^ ((v >> 1) & 1) : v];
+    }
+  }
+
+  static Polygon MakePolygon(const vtkIdType* outputs, const vtkIsotable::Slot* slots, int size)
+  {
+    Polygon polygon{ { -1, -1, -1, -1 } };
+    std::transform(slots, slots + size, polygon.begin(),
+      [outputs](vtkIsotable::Slot slot) { return outputs[slot]; });
+    return polygon;
+  }
+
   template <typename Visitor>
   void VisitCell(vtkIsotable::Shapes shape, const vtkIdType* points, const vtkIdType* outputs,
     int number, Visitor&& visit) const
@@ -119,12 +134,9 @@ private:
       [&](vtkIsotable::Slot a, vtkIsotable::Slot b, vtkIsotable::Slot c,
         const vtkIsotable::Slot* slots, int size)
       {
-        Polygon polygon{ { -1, -1, -1, -1 } };
-        std::transform(slots, slots + size, polygon.begin(),
-          [outputs](vtkIsotable::Slot slot) { return outputs[slot]; });
         const Triangle triangle{ { outputs[a], outputs[isInverted ? c : b],
           outputs[isInverted ? b : c] } };
-        visit(triangle, polygon);
+        visit(triangle, MakePolygon(outputs, slots, size));
       });
   }
 

@@ -3,8 +3,8 @@
 #define interlume_PointOutput_h
 
 #include "Arrays/PointArrays.h"
-#include "Scalars/ExtractionScalars.h"
 #include "Pass/ExtractionContext.h"
+#include "Scalars/ExtractionScalars.h"
 
 #include <algorithm>
 

@@ -2,14 +2,14 @@
 #include "Structured/RowContour.h"
 
 #include "Common/ThreadLocals.h"
+#include "Cuts/TiedCases.h"
 #include "Grid/CellOrientation.h"
 #include "Grid/RowIndex.h"
+#include "Pass/ExtractionIndex.h"
 #include "Scalars/BitKernels.h"
 #include "Scalars/ExtractionScalars.h"
-#include "Pass/ExtractionIndex.h"
 #include "Structured/PointOutput.h"
 #include "Structured/SlotPlace.h"
-#include "Cuts/TiedCases.h"
 
 #include <array>
 #include <memory>

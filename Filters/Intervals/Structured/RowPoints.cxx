@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Structured/RowPoints.h"
 
+#include "Pass/ExtractionIndex.h"
 #include "Scalars/ExtractionKernels.h"
 #include "Scalars/ExtractionScalars.h"
 #include "Scalars/RowKernels.h"
-#include "Pass/ExtractionIndex.h"
 #include "Structured/PointOutput.h"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 
 #include "Grid/GridWindow.h"
 #include "Grid/RowIndex.h"
-#include "Scalars/CodeRow.h"
 #include "Pass/ExtractionContext.h"
+#include "Scalars/CodeRow.h"
 
 #include <algorithm>
 #include <array>

@@ -2,11 +2,11 @@
 #ifndef interlume_RowWriter_h
 #define interlume_RowWriter_h
 
+#include "Cuts/MergedCut.h"
 #include "Grid/CellOrientation.h"
 #include "Grid/RowIndex.h"
-#include "Structured/CellRow.h"
 #include "Pass/ExtractionContext.h"
-#include "Cuts/MergedCut.h"
+#include "Structured/CellRow.h"
 #include "Structured/SlotPlace.h"
 
 #include <algorithm>

@@ -5,12 +5,12 @@
 #include "Common/ThreadLocals.h"
 #include "Grid/CornerOrder.h"
 #include "Scalars/ExtractionScalars.h"
-#include "Unstructured/CrossingLists.h"
 #include "TimeVarying/SimplexSliceTable.h"
 #include "TimeVarying/SliceChunk.h"
 #include "TimeVarying/SliceFaces.h"
 #include "TimeVarying/SlicedSimplex.h"
 #include "TimeVarying/SortedSimplices.h"
+#include "Unstructured/CrossingLists.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -3,10 +3,10 @@
 
 #include "Arrays/ExtractionArrays.h"
 #include "Common/GridCells.h"
+#include "Pass/GhostCells.h"
 #include "Scalars/ExtractionDispatch.h"
 #include "Scalars/ExtractionScalars.h"
 #include "Static/ExtractionLinearizer.h"
-#include "Pass/GhostCells.h"
 
 #include "vtkCellArray.h"
 #include "vtkImageData.h"

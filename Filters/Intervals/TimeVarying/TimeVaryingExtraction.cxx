@@ -3,9 +3,8 @@
 
 #include "Common/GridCells.h"
 #include "Common/ThreadLocals.h"
-#include "Scalars/ExtractionScalars.h"
-#include "Unstructured/CrossingLists.h"
 #include "Cuts/ExtractionCell.h"
+#include "Scalars/ExtractionScalars.h"
 #include "TimeVarying/FacePlanarity.h"
 #include "TimeVarying/FlatSides.h"
 #include "TimeVarying/TimeVaryingBoundary.h"
@@ -13,6 +12,7 @@
 #include "TimeVarying/TimeVaryingCut.h"
 #include "TimeVarying/TimeVaryingMesh.h"
 #include "TimeVarying/TimeVaryingSlots.h"
+#include "Unstructured/CrossingLists.h"
 
 #include "vtkCellArray.h"
 #include "vtkIsotableCache.h"

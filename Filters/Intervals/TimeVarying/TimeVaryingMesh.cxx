@@ -3,8 +3,8 @@
 
 #include "Arrays/ExtractionArrays.h"
 #include "Output/TiedFaces.h"
-#include "Unstructured/CrossingLists.h"
 #include "TimeVarying/TimeStep.h"
+#include "Unstructured/CrossingLists.h"
 
 #include "vtkIdList.h"
 
