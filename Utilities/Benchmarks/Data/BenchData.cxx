@@ -92,19 +92,25 @@ vtkSmartPointer<vtkDataSet> WithOneArray(vtkDataSet* from, const std::string& na
   return data;
 }
 
-BenchData MakeWavelet(int points)
+vtkSmartPointer<vtkRTAnalyticSource> MakeWaveletSource(int points)
 {
   // The source scales its field to its extent: every size has the same waves.
-  vtkNew<vtkRTAnalyticSource> source;
+  auto source = vtkSmartPointer<vtkRTAnalyticSource>::New();
   const int half = points / 2;
   source->SetWholeExtent(
     -half, points - 1 - half, -half, points - 1 - half, -half, points - 1 - half);
+  return source;
+}
+
+BenchData MakeWavelet(int points)
+{
+  const auto source = MakeWaveletSource(points);
   source->Update();
   BenchData data;
   data.Case = "wavelet-" + std::to_string(points);
   data.Data = source->GetOutput();
-  data.Lower = 140.0;
-  data.Upper = 180.0;
+  data.Lower = WaveletLower;
+  data.Upper = WaveletUpper;
   return data;
 }
 

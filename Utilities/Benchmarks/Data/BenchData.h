@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+class vtkRTAnalyticSource;
+
 /**
  * A dataset with nothing on it but the point scalars it is extracted by, and the interval that is
  * extracted. The lower bound is also the contour value.
@@ -29,6 +31,14 @@ struct BenchData
  * std::runtime_error where there is no such array.
  */
 vtkSmartPointer<vtkDataSet> WithOneArray(vtkDataSet* from, const std::string& name);
+
+constexpr double WaveletLower = 140.0;
+constexpr double WaveletUpper = 180.0;
+
+/**
+ * A source of points^3 points.
+ */
+vtkSmartPointer<vtkRTAnalyticSource> MakeWaveletSource(int points);
 
 /**
  * The scalars of vtkRTAnalyticSource on points^3 points, 140 <= f <= 180: `wavelet-<points>`.

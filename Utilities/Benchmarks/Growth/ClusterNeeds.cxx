@@ -67,6 +67,11 @@ private:
   double Kib = 0.0;
 };
 
+double GetKibOfStep(double cells)
+{
+  return cells * sizeof(float) / 1024.0;
+}
+
 void AddRow(const std::string& method, int ranks, double seconds, double inputKib, double kib,
   BenchRows& rows)
 {
@@ -78,6 +83,14 @@ void AddRow(const std::string& method, int ranks, double seconds, double inputKi
   row.Counts["input_kib_a_rank"] = inputKib;
   rows.Add(row);
 }
+}
+
+std::optional<RankNeed> ComputeVolumeOfStep(double cells, const std::vector<BenchRow>& rows)
+{
+  const auto law = Law::Find(Cells, rows);
+  return law ? std::optional<RankNeed>(
+                 RankNeed{ law->SecondsOf(cells), GetKibOfStep(cells), law->KibOf(cells) })
+             : std::nullopt;
 }
 
 std::vector<std::string> DescribeClusterNeeds()
@@ -104,20 +117,20 @@ std::vector<std::string> DescribeClusterNeeds()
 void AddClusterRows(BenchRows& rows)
 {
   const std::vector<BenchRow> measured = rows.Get();
-  const auto cells = Law::Find(Cells, measured);
   const auto inTime = Law::Find(CellsInTime, measured);
   const auto steps = Law::Find(Steps, measured);
-  if (!cells || !inTime || !steps)
+  if (!ComputeVolumeOfStep(AllCells, measured) || !inTime || !steps)
   {
     return;
   }
   for (const int ranks : { 1, 64, 256 })
   {
     const double share = AllCells / ranks;
-    const double step = share * sizeof(float) / 1024.0;
+    const double step = GetKibOfStep(share);
     const double slab = inTime->SecondsOf(share);
-    AddRow("interval volume of each step", ranks, AllSteps * cells->SecondsOf(share), step,
-      cells->KibOf(share), rows);
+    const RankNeed volume = *ComputeVolumeOfStep(share, measured);
+    AddRow("interval volume of each step", ranks, AllSteps * volume.Seconds, volume.InputKib,
+      volume.Kib, rows);
     AddRow("in time, slab by slab", ranks, AllSlabs * slab, 2.0 * step, inTime->KibOf(share), rows);
     AddRow("in time, all at once", ranks, slab * std::pow(AllSlabs, steps->TimePower), 2.0 * step,
       inTime->KibOf(share) * std::pow(AllSlabs, steps->MemoryPower), rows);

@@ -4,11 +4,28 @@
 
 #include "Benchmarks/Results/BenchRow.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace growth
 {
+/// What a rank of one thread needs.
+struct RankNeed
+{
+  double Seconds = 0.0;
+  double InputKib = 0.0;
+  /// Over the input.
+  double Kib = 0.0;
+};
+
+/**
+ * What the interval volume of one step of \a cells cells a rank needs, computed from the largest
+ * size and the fitted exponents of the quantity `cells` among \a rows; nothing where these are
+ * missing.
+ */
+std::optional<RankNeed> ComputeVolumeOfStep(double cells, const std::vector<BenchRow>& rows);
+
 /**
  * How ClusterNeeds are computed, for the report.
  */
