@@ -6,13 +6,13 @@ lines of the README's table.
 """
 
 from . import (contour, flow, flow_sharing, flow_speed, flow_texture, growth, interval, interval4d, mixed,
-               profiles, scattering, scene_costs, shadows, soft_shadows, tables, tetrahedra)
+               profiles, ranks, scattering, scene_costs, shadows, soft_shadows, tables, tetrahedra)
 from .readme import README_LINES
 
 TABLES = {}
 VALUES = {}
 for _suite in (interval, contour, tetrahedra, shadows, scattering, soft_shadows, mixed, interval4d, flow, flow_speed,
-               flow_sharing, flow_texture, growth, scene_costs, profiles, tables):
+               flow_sharing, flow_texture, growth, ranks, scene_costs, profiles, tables):
     TABLES.update(_suite.TABLES)
     VALUES.update(_suite.VALUES)
 
