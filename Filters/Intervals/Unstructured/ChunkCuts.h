@@ -86,12 +86,8 @@ public:
 
   void Reserve(std::size_t cases) { this->Cases.reserve(cases); }
 
-  /// Notes a case; its own cut, where it is not plain, has to be kept before the next is.
-  template <typename... Parts>
-  void Add(Parts... parts)
-  {
-    this->Cases.emplace_back(parts...);
-  }
+  /// Notes a case. Cuts are kept in the order of the cases that are not plain.
+  void Add(const Found& found) { this->Cases.push_back(found); }
 
   ///@{
   /// Keep a cut: call Begin, add what there is in it, and call End with what Begin returned.

@@ -465,7 +465,7 @@ private:
     soup.Add(simplices, number, points, isInverted);
     chunk.Simplices += static_cast<vtkIdType>(number);
     ++chunk.Report.CellsWithOutput;
-    chunk.Cuts.Add(position, static_cast<int>(key), 0, cell.IsAscending, false, isInverted);
+    chunk.Cuts.Add({ position, static_cast<int>(key), 0, cell.IsAscending, false, isInverted });
     return true;
   }
 
@@ -533,7 +533,7 @@ private:
       }
       chunk.Simplices += static_cast<vtkIdType>(cut.NumberOfSimplices);
       chunk.Triangles += static_cast<vtkIdType>(cut.NumberOfTriangles);
-      chunk.Cuts.Add(position, key, number, isPlain, isMerged, isInverted);
+      chunk.Cuts.Add({ position, key, number, isPlain, isMerged, isInverted });
     }
     chunk.Report.CellsWithOutput += GetOutput(chunk) != before;
   }
