@@ -136,14 +136,14 @@ inline void Silence(vtkAlgorithm* algorithm)
   algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
 }
 
-/// Writes the input of a writer, with data appended and compressed. Returns whether that was
-/// possible.
+/// Writes the input of a writer, with data compressed and in text: with expat 2.5.0-1+deb12u2, which
+/// Debian 12 has been updated to, ParaView 5.11 fails to read bytes that are appended. Returns
+/// whether that was possible.
 inline bool Write(vtkXMLWriter* writer, const std::string& fileName)
 {
   Silence(writer);
   writer->SetFileName(GetTemporaryName(fileName).c_str());
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
+  writer->SetDataModeToBinary();
   writer->SetHeaderTypeToUInt64();
   writer->SetCompressorTypeToLZ4();
   return Finish(fileName,
