@@ -10,14 +10,11 @@ import json
 import sys
 
 from paraview import servermanager, simple
-from vtkmodules.vtkCommonCore import vtkObject, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter
 
 from flow_testing import analytic_flow, flow_field, flow_volume, inflow_mapping
 from plugin_pictures import Comparison, make_view, picture_path, set_colors
 from plugin_testing import (
-    Checks, extractions_path, interval_volume, load_plugin, open_data, temporal_source,
+    Checks, can_exchange_data, extractions_path, interval_volume, load_plugin, open_data, temporal_source,
     time_varying_volume, warnings_of)
 
 REPRESENTATION = "Interval Volume"
@@ -94,29 +91,6 @@ def check_choice(checks):
     checks.that(own.GetDocumentation().GetDescription().strip(), "it has a documentation")
     check_mapper(checks, display)
     simple.Delete(view)
-
-
-def can_exchange_data():
-    """Processes exchange data as XML with raw bytes, which VTK before 9.3 cannot read with an expat that
-    defers parsing (https://gitlab.kitware.com/vtk/vtk/-/issues/19258)."""
-    grid = vtkUnstructuredGrid()
-    points = vtkPoints()
-    for i in range(10000):  # more than the parser takes at once
-        points.InsertNextPoint(0.1 * i, 0.7 * i, 0.3 * i)
-    grid.SetPoints(points)
-    writer = vtkXMLUnstructuredGridWriter()
-    writer.SetInputData(grid)
-    writer.WriteToOutputStringOn()
-    writer.SetDataModeToAppended()
-    writer.EncodeAppendedDataOff()
-    writer.Update()
-    reader = vtkXMLUnstructuredGridReader()
-    reader.ReadFromInputStringOn()
-    reader.SetInputString(writer.GetOutputString())
-    vtkObject.GlobalWarningDisplayOff()
-    reader.Update()
-    vtkObject.GlobalWarningDisplayOn()
-    return reader.GetOutput().GetNumberOfPoints() == points.GetNumberOfPoints()
 
 
 def bounds(picture, distributed):

@@ -8,11 +8,37 @@ import sys
 import numpy
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkObject, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter
 
 
 def load_plugin():
     """Loads the plugin that the environment names into this session."""
     simple.LoadPlugin(os.environ["INTERLUME_PLUGIN"], remote=False, ns=vars(simple))
+
+
+def can_exchange_data():
+    """Processes exchange data as XML with raw bytes, which VTK before 9.3 cannot read with an expat that
+    defers parsing (https://gitlab.kitware.com/vtk/vtk/-/issues/19258)."""
+    grid = vtkUnstructuredGrid()
+    points = vtkPoints()
+    for i in range(10000):  # more than the parser takes at once
+        points.InsertNextPoint(0.1 * i, 0.7 * i, 0.3 * i)
+    grid.SetPoints(points)
+    writer = vtkXMLUnstructuredGridWriter()
+    writer.SetInputData(grid)
+    writer.WriteToOutputStringOn()
+    writer.SetDataModeToAppended()
+    writer.EncodeAppendedDataOff()
+    writer.Update()
+    reader = vtkXMLUnstructuredGridReader()
+    reader.ReadFromInputStringOn()
+    reader.SetInputString(writer.GetOutputString())
+    vtkObject.GlobalWarningDisplayOff()
+    reader.Update()
+    vtkObject.GlobalWarningDisplayOn()
+    return reader.GetOutput().GetNumberOfPoints() == points.GetNumberOfPoints()
 
 
 def extractions_path(name):
