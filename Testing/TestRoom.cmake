@@ -5,7 +5,9 @@
 #   [DRAWN FILE...]            tests that draw and so need a display; label value
 #   [QUICK_DRAWN FILE...]      the same, with the label quick as well
 #   [SOURCES FILE...]          what tests of this room share
-#   [PRIVATE_PARTS MODULE...]  modules, as InterlumeFlow, whose private parts are tested
+#   [PRIVATE_PARTS MODULE...]  modules, as InterlumeFlow, whose private parts are tested, in a program
+#                              that links them statically; tests of public classes are in a program
+#                              without this, and so test the libraries that are installed
 #   [LIBRARIES TARGET...])
 # Makes the program Interlume<ROOM>Tests and a CTest test of each file, named as the file, which has to
 # hold a function of that name. The room's folder may have folders; names of files are there once.
@@ -38,7 +40,12 @@ function (interlume_add_test_room room)
   create_test_sourcelist(sources ${program}.cxx ${names} EXTRA_INCLUDE vtkTestDriver.h)
   list(GET sources 0 driver)
   add_executable(${program} ${driver} ${files} ${arg_SOURCES})
-  list(TRANSFORM arg_PRIVATE_PARTS APPEND Private)
+  # The headers of Filters/Common, which need no library.
+  target_include_directories(${program} PRIVATE "${PROJECT_SOURCE_DIR}/Filters")
+  if (arg_PRIVATE_PARTS)
+    list(TRANSFORM arg_PRIVATE_PARTS APPEND Private)
+    list(APPEND arg_PRIVATE_PARTS InterlumeInternalReference)
+  endif ()
   target_link_libraries(${program} PRIVATE
     ${arg_LIBRARIES} ${arg_PRIVATE_PARTS} InterlumeInputs InterlumeReference VTK::CommonSystem VTK::FiltersCore
     VTK::FiltersGeneral VTK::FiltersSources VTK::ImagingCore VTK::IOXML VTK::TestingCore)
