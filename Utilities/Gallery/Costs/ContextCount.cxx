@@ -5,6 +5,7 @@
 
 #include "vtkRenderWindow.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <string>
@@ -33,12 +34,18 @@ void ClearErrors()
   }
 }
 
-vtkIdType GetLevelBytes(GLenum target, GLint level)
+std::array<GLint, 3> GetLevelSize(GLenum target, GLint level)
 {
-  GLint size[3] = { 0, 0, 0 };
+  std::array<GLint, 3> size{};
   glGetTexLevelParameteriv(target, level, GL_TEXTURE_WIDTH, &size[0]);
   glGetTexLevelParameteriv(target, level, GL_TEXTURE_HEIGHT, &size[1]);
   glGetTexLevelParameteriv(target, level, GL_TEXTURE_DEPTH, &size[2]);
+  return size;
+}
+
+vtkIdType GetLevelBytes(GLenum target, GLint level)
+{
+  const std::array<GLint, 3> size = GetLevelSize(target, level);
   vtkIdType bits = 0;
   for (const GLenum channel : { GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
          GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_DEPTH_SIZE, GL_TEXTURE_STENCIL_SIZE })
@@ -48,6 +55,23 @@ vtkIdType GetLevelBytes(GLenum target, GLint level)
     bits += of;
   }
   return bits * size[0] * size[1] * size[2] / 8;
+}
+
+/// Returns the number of levels that the bound texture may have. Drivers report an error when a
+/// level beyond their limit is queried.
+GLint GetNumberOfLevels(GLenum target)
+{
+  std::array<GLint, 3> size = GetLevelSize(target, 0);
+  if (target != GL_TEXTURE_3D)
+  {
+    size[2] = 0; // layers of an array
+  }
+  GLint levels = 0;
+  for (GLint side = *std::max_element(size.begin(), size.end()); side > 0; side /= 2)
+  {
+    ++levels;
+  }
+  return levels;
 }
 
 /// The bytes of a texture; its storage is that of a buffer object where it is one's.
@@ -64,7 +88,8 @@ vtkIdType GetTextureBytes(GLuint texture)
       continue;
     }
     vtkIdType bytes = 0;
-    for (GLint level = 0; target.Name != GL_TEXTURE_BUFFER && level < 16; ++level)
+    const GLint levels = target.Name == GL_TEXTURE_BUFFER ? 0 : GetNumberOfLevels(target.Name);
+    for (GLint level = 0; level < levels; ++level)
     {
       bytes += GetLevelBytes(target.Name, level);
     }
