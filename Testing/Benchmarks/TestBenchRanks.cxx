@@ -37,7 +37,7 @@ std::vector<BenchRow> MakeGrowth()
   BenchRow size = rows.Make(growth::Cells, growth::SizeMethod);
   size.Counts = { { "n", 250.0 }, { "processor_seconds", 2.0 }, { "kib", 256.0 } };
   rows.Add(size);
-  for (const auto& [method, exponent] :
+  for (const auto [method, exponent] :
     { std::make_pair(growth::TimeExponent, 0.5), std::make_pair(growth::MemoryExponent, 1.0) })
   {
     BenchRow row = rows.Make(growth::Cells, method);
