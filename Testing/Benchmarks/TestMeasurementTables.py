@@ -130,6 +130,14 @@ class TestPages(unittest.TestCase):
         folder.add([dict(row, ratio=row["ratio"] + 1) for row in FAST])
         self.assertEqual(folder.run("--check"), 1)
 
+    def test_numbers_typed_into_the_readme_are_refused(self):
+        folder = Folder()
+        folder.add(FAST)
+        path = folder.root / "README.md"
+        path.write_text(path.read_text(encoding="utf-8") + "It is 4.8 times faster.\n", encoding="utf-8")
+        with self.assertRaisesRegex(ValueError, "typed by hand"):
+            folder.run("--check")
+
     def test_numbers_typed_by_hand_are_refused(self):
         for words in ("It is 4.8 times faster.", "It takes 12 ms.", "That is 5 % more.", "It is off by 1e-6."):
             with self.assertRaisesRegex(ValueError, "typed by hand"):

@@ -19,11 +19,13 @@ FIELD = re.compile(r"\{\{(.+?)\}\}")
 README_BLOCK = re.compile(r"(<!-- measured: .*? -->\n).*?(<!-- /measured -->)", re.DOTALL)
 # What is no prose: code, pictures, the targets of links, versions of programs.
 NO_PROSE = re.compile(r"\{\{.*?\}\}|`[^`]*`|!\[[^\]]*\]\([^)]*\)|\]\([^)]*\)|\b(?:VTK|ParaView|Debian) [\d.]+")
+# The parts of the README that commands write, and code.
+NOT_TYPED = re.compile(r"<!-- (versions|measured).*?<!-- (?:end of |/)\1 -->|```.*?```", re.DOTALL)
 MEASURED = re.compile(r"\d\.\d|\d ?%|\d\s?e-?\d|\d ?(?:s|ms|µs|MB|MiB|GB|GiB|times|million)\b")
 
 
 def check_words(name, text):
-    """A template has no measured number of its own."""
+    """Raises ValueError if prose has a measured number, which no command would update."""
     for number, line in enumerate(text.splitlines(), 1):
         found = MEASURED.search(NO_PROSE.sub(" ", line))
         if found:
@@ -45,6 +47,7 @@ class Pages:
         old = readme.read_text(encoding="utf-8")
         if not README_BLOCK.search(old):
             raise ValueError(f"{readme} has no block <!-- measured: --> ... <!-- /measured -->")
+        check_words(readme, NOT_TYPED.sub(lambda found: "\n" * found.group().count("\n"), old))
         return {page: self.expanded("page.in.md"),
                 readme: README_BLOCK.sub(lambda found: found.group(1) + block + found.group(2), old)}
 
