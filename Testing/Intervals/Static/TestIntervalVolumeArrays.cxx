@@ -7,6 +7,7 @@
 #include "Reference/Meshes/ReferenceLattice.h"
 
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntervalVolume.h"
 #include "vtkImageData.h"
@@ -257,6 +258,33 @@ void CheckOddArrays(Check& check)
 
 }
 
+/// Values whose difference is not finite are interpolated, too.
+void CheckHugeSteps(Check& check)
+{
+  constexpr double huge = 1.5e308;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 2);
+  AddLinearField(image, { 0.0, { 1.0, 0.0, 0.0 } });
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("huge");
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    values->InsertNextValue(image->GetPoint(i)[0] > 0.5 ? huge : -huge);
+  }
+  image->GetPointData()->AddArray(values);
+  for (const LatticeForm& form : FormsOf(image))
+  {
+    const auto grid = ExtractIntervals(form.Data, { { 0.25, 0.625 } }).Volume;
+    vtkDataArray* found = grid->GetPointData()->GetArray("huge");
+    check.Equal(grid->GetNumberOfPoints(), 8, form.Name + ": points");
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+    {
+      const double expected = huge * (2.0 * grid->GetPoint(i)[0] - 1.0);
+      check.Near(found->GetComponent(i, 0), expected, 1e-14, form.Name + ": huge value");
+    }
+  }
+}
+
 /// Field data goes to both outputs.
 void CheckFieldData(Check& check)
 {
@@ -312,6 +340,8 @@ int TestIntervalVolumeArrays(int, char*[])
   }
   check.SetContext("field data");
   CheckFieldData(check);
+  check.SetContext("huge steps");
+  CheckHugeSteps(check);
   check.SetContext("scalar types");
   CheckScalarTypes(check);
   check.SetContext("cascade");

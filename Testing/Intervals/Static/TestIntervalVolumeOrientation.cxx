@@ -3,14 +3,19 @@
 // hold: with random values, the worst case, and with a smooth field. Volumes stay exact.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Intervals/ReferenceExtraction.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceLattice.h"
 #include "Reference/Meshes/ReferenceMesh.h"
 #include "Reference/Meshes/ReferenceVolume.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <cmath>
 #include <iostream>
+#include <string>
 
 namespace
 {
@@ -42,11 +47,50 @@ void AddSmoothField(vtkUnstructuredGrid* mesh)
   }
 }
 
+/// Expects positive tetrahedra of a volume that does not depend on a reflection of the grid.
+void CheckReflection(vtkImageData* image, double expected, const std::string& name, Check& check)
+{
+  for (const LatticeForm& form : FormsOf(image))
+  {
+    check.SetContext(form.Name + ", " + name);
+    const TetrahedraVolume volume =
+      MeasureTetrahedra(ExtractIntervals(form.Data, { { 0.3, 0.6 } }).Volume);
+    check.Equal(volume.Inverted, 0, "number of inverted tetrahedra");
+    check.Near(static_cast<double>(volume.Sum), expected, 1e-12, "signed volume");
+  }
+}
+
+/// Axes that fall and direction matrices that reflect leave the volume and the orientation.
+void CheckReflections(Check& check)
+{
+  const auto original = MakeImage({ 3, 4, 5 });
+  AddLinearField(original, { -0.4, { 0.05, 0.11, 0.23 } });
+  const double expected = static_cast<double>(ClippedVolume(original, { { "f", 0.3, 0.6 } }));
+  check.That(expected > 0.0, "the interval has a volume");
+  for (int signs = 0; signs < 8; ++signs)
+  {
+    vtkNew<vtkImageData> image;
+    image->DeepCopy(original);
+    double spacing[3];
+    image->GetSpacing(spacing);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      spacing[axis] *= (signs >> axis & 1) != 0 ? -1.0 : 1.0;
+    }
+    image->SetSpacing(spacing);
+    CheckReflection(image, expected, "signs of the spacing " + std::to_string(signs), check);
+    image->SetDirectionMatrix(0.36, 0.48, -0.8, -0.8, 0.6, 0, -0.48, -0.64, -0.6);
+    CheckReflection(
+      image, expected, "reflected, signs of the spacing " + std::to_string(signs), check);
+  }
+}
+
 }
 
 int TestIntervalVolumeOrientation(int, char*[])
 {
   Check check;
+  CheckReflections(check);
   const std::vector<Interval> intervals = { { 0, 0.35 }, { 0.35, 0.6 }, { 0.6, 1 } };
   for (MeshKind kind : AllMeshKinds())
   {
@@ -60,8 +104,7 @@ int TestIntervalVolumeOrientation(int, char*[])
               << 100 * random.Volume << " % of the volume with random values, "
               << 100 * smooth.Share << " % holding " << 100 * smooth.Volume
               << " % with a smooth field\n";
-    // The rate to be expected on cells that are not simplices is half a percent.
-    check.That(random.Share < 0.05, "fewer than 5 % inverted with random values");
+    check.That(random.Share < 0.005, "fewer than 0.5 % inverted with random values");
     check.That(smooth.Share < 0.005, "fewer than 0.5 % inverted with a smooth field");
     check.That(smooth.Volume < 1e-4, "less than 0.01 % of the volume with a smooth field");
   }

@@ -1,17 +1,61 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Adjacent intervals tile the domain where many values equal a bound: edges, faces and whole cells
 // are flat, and simplices collapse.
+#include "Reference/Intervals/ReferenceExtraction.h"
 #include "Reference/Intervals/ReferenceTilingCheck.h"
 #include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceLattice.h"
 #include "Reference/Meshes/ReferenceMesh.h"
 #include "Reference/Meshes/ReferenceTransform.h"
+#include "Reference/Meshes/ReferenceVolume.h"
 
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkUnstructuredGrid.h"
+
+namespace
+{
+using namespace reference;
+
+/// The interval [1, 1] of a step has its lower side where the values below are.
+void CheckSidesOfZeroWidth(Check& check)
+{
+  for (const bool isRising : { true, false })
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(4, 2, 2);
+    vtkDoubleArray* field = AddLinearField(image, { 0.0, { 1.0, 0.0, 0.0 } });
+    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+    {
+      const double step = field->GetValue(i) == 0.0 ? 0.0 : field->GetValue(i) == 3.0 ? 2.0 : 1.0;
+      field->SetValue(i, isRising ? step : 2.0 - step);
+    }
+    for (const LatticeForm& form : FormsOf(image))
+    {
+      check.SetContext(form.Name + (isRising ? ", rising" : ", falling"));
+      const Extraction extraction = ExtractIntervals(form.Data, { { 1.0, 1.0 } });
+      check.Near(
+        static_cast<double>(MeasureTetrahedra(extraction.Volume).Sum), 1.0, 1e-14, "volume");
+      vtkDataArray* sides = extraction.Surface->GetCellData()->GetArray("BoundarySide");
+      check.Equal(sides->GetNumberOfTuples(), 4, "triangles at both sides");
+      for (vtkIdType cell = 0; cell < sides->GetNumberOfTuples(); ++cell)
+      {
+        const double* bounds = extraction.Surface->GetCell(cell)->GetBounds();
+        const double lower = isRising ? 1.0 : 2.0;
+        check.Equal(bounds[0] == bounds[1], 1, "triangle in a plane of the grid");
+        check.Equal(sides->GetComponent(cell, 0) == 0.0, bounds[0] == lower, "side of a triangle");
+      }
+    }
+  }
+}
+}
 
 int TestIntervalVolumeTies(int, char*[])
 {
-  using namespace reference;
   Check check;
+  CheckSidesOfZeroWidth(check);
   struct Values
   {
     int Number;
