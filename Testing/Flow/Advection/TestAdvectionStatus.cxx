@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace
 {
@@ -331,6 +332,33 @@ void TestStiffness(Check& check)
   check.That(!add(14, 3.3) && !add(6, 3.2) && !add(14, 3.3) && add(1, 3.3), "counted anew");
 }
 
+/// Harmless steps that are added together count as the same steps added one by one.
+void TestHarmlessSteps(Check& check)
+{
+  std::mt19937 random(5);
+  for (int run = 0; run < 200; ++run)
+  {
+    interlume::StiffnessTest together;
+    interlume::StiffnessTest apart;
+    while (!apart.IsStiff())
+    {
+      const int harmless = static_cast<int>(random() % 8);
+      together.AddHarmless(harmless);
+      for (int i = 0; i < harmless; ++i)
+      {
+        apart.Add(interlume::StiffnessTest::LeastStiff);
+      }
+      const int stiff = 1 + static_cast<int>(random() % 16);
+      for (int i = 0; i < stiff && !apart.IsStiff(); ++i)
+      {
+        together.Add(3.3);
+        apart.Add(3.3);
+        check.Equal(together.IsStiff(), apart.IsStiff(), "stiffness after steps added together");
+      }
+    }
+  }
+}
+
 /// One object follows many streamlines, each as if it were alone.
 void TestReuse(Check& check)
 {
@@ -369,6 +397,7 @@ int TestAdvectionStatus(int, char*[])
   TestNotFinite(check);
   TestRoots(check);
   TestStiffness(check);
+  TestHarmlessSteps(check);
   TestReuse(check);
   return check.Result();
 }

@@ -16,6 +16,7 @@
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
@@ -133,6 +134,29 @@ double GetHalfPlane(const double* x)
   return x[0] > 0.0 ? x[1] : 0.0;
 }
 
+/// In a rotation of unit angular speed the path of a far side is its time multiplied by the radius.
+void CheckFarSides(vtkDataSet* samples, Check& check)
+{
+  vtkFieldData* data = samples->GetFieldData();
+  vtkDataArray* ids = data->GetArray("BeyondTerminationId");
+  vtkDataArray* positions = data->GetArray("BeyondSamplePosition");
+  vtkDataArray* times = data->GetArray("BeyondAdvectionTime");
+  vtkDataArray* lengths = data->GetArray("BeyondArcLength");
+  vtkIdType whole = 0;
+  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+  {
+    if (ids->GetComponent(i, 0) < 0.0)
+    {
+      continue;
+    }
+    const double radius = std::hypot(positions->GetComponent(i, 0), positions->GetComponent(i, 1));
+    const double time = times->GetComponent(i, 0);
+    check.Near(lengths->GetComponent(i, 0), radius * time, 1e-5, "arc length of a far side", 1e-3);
+    whole += time > 0.9 * Turn ? 1 : 0;
+  }
+  check.That(whole > 0, "there are far sides that a whole turn leads to");
+}
+
 void TestRotation(Check& check)
 {
   for (const bool isForward : { false, true })
@@ -145,8 +169,10 @@ void TestRotation(Check& check)
       field->SetInputData(MakeImage(points, { { -1, 1, -1, 1, 0, 0.2 } }, Rotation));
       field->AddTerminationSurface(MakeHalfPlane());
       field->SetDirection(isForward);
+      field->ComputeArcLengthOn();
       field->Update();
       vtkDataSet* samples = vtkDataSet::SafeDownCast(field->GetOutput());
+      CheckFarSides(samples, check);
       // How streamlines leave the upper side: there, backward they start at the surface.
       const int upper = isForward ? vtkFlowStatus::AWAY : vtkFlowStatus::TOWARDS;
       const int lower = isForward ? vtkFlowStatus::TOWARDS : vtkFlowStatus::AWAY;
