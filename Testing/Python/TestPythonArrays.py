@@ -55,3 +55,18 @@ intervals.Update()
 assert intervals.GetOutput().GetNumberOfCells() == 0, "the filter has a copy of the array"
 counts = report(intervals)
 assert counts["Cells"] == (size - 1) ** 3 and counts["CellsWithOutput"] == 0, counts
+
+
+class Printed:
+    """Prints a report between other settings."""
+
+    def __str__(self):
+        return ("Printed (0x1)\n  Before: 1\n  Report:\n    Cells: 2\n    Range: 0.5 1e3\n"
+                "    Reason: none given\n    Empty:\n  After: 3\n    Cells: 4\n")
+
+    def GetClassName(self):
+        return "Printed"
+
+
+values = report(Printed())
+assert values == {"Cells": 2, "Range": (0.5, 1e3), "Reason": "none given", "Empty": ""}, values

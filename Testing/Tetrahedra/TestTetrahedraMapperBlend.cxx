@@ -192,6 +192,8 @@ void TestColorArrays(Check& check, bool parallel)
         what.Property = MakeProperty({ { 0.0, Red, 0.1 }, { 255.0, Red, 1.0 } }, 0.25);
         what.Property->IndependentComponentsOff();
         Expect(check, what, std::to_string(components) + " bytes" + place);
+        what.Settings.How = Blend::MaximumIntensity;
+        Expect(check, what, std::to_string(components) + " bytes" + place + ", maximum");
       }
     }
   }

@@ -62,6 +62,9 @@ public:
   Sample At(
     vtkIdType cell, const std::array<vtkIdType, 4>& points, const Barycentric& position) const;
 
+  /// Returns whether the array holds colors instead of arguments of the color function.
+  bool HasDirectColors() const { return this->IsDirect; }
+
   /// The colour, and the opacity as the function has it, not divided by the unit distance.
   std::array<double, 3> GetColor(const Sample& sample) const;
   double GetOpacity(const Sample& sample) const;

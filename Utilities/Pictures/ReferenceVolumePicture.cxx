@@ -160,7 +160,8 @@ private:
     switch (this->Settings.How)
     {
       case Blend::MaximumIntensity:
-        this->DrawLargest(crossings, pixel);
+        this->Material.HasDirectColors() ? this->DrawLargestColors(crossings, pixel)
+                                         : this->DrawLargest(crossings, pixel);
         break;
       case Blend::Additive:
         this->DrawSum(crossings, pixel);
@@ -231,13 +232,29 @@ private:
     }
     if (largest)
     {
-      const std::array<double, 3> color = this->Material.GetColor(*largest);
-      pixel[3] = std::min(this->Material.GetOpacity(*largest), 1.0);
-      for (int k = 0; k < 3; ++k)
-      {
-        pixel[k] = pixel[3] * color[k];
-      }
+      this->TakeLargest(*largest, pixel);
     }
+  }
+
+  /// Colors of the array itself: the maximum of each premultiplied component.
+  void DrawLargestColors(const std::vector<Crossing>& crossings, double* pixel) const
+  {
+    for (const Crossing& crossing : crossings)
+    {
+      this->TakeLargest(crossing.AtEntry, pixel);
+      this->TakeLargest(crossing.AtExit, pixel);
+    }
+  }
+
+  void TakeLargest(const ReferenceMaterial::Sample& sample, double* pixel) const
+  {
+    const std::array<double, 3> color = this->Material.GetColor(sample);
+    const double opacity = std::min(this->Material.GetOpacity(sample), 1.0);
+    for (int k = 0; k < 3; ++k)
+    {
+      pixel[k] = std::max(pixel[k], opacity * color[k]);
+    }
+    pixel[3] = std::max(pixel[3], opacity);
   }
 
   void DrawLayers(const std::vector<Crossing>& crossings, double* pixel) const
