@@ -82,12 +82,18 @@ std::string DamageCells(FuzzRandom& random, vtkUnstructuredGrid* grid)
         cell + 1, random.Pick<vtkIdType>({ -1, ids->GetNumberOfValues() + 1, 1LL << 50 }));
       break;
     case 2:
-      if (offsets->GetValue(cell + 1) - offsets->GetValue(cell) >= 20)
+    {
+      const int type = random.Pick<int>({ VTK_QUADRATIC_HEXAHEDRON, VTK_LAGRANGE_TETRAHEDRON,
+        VTK_LAGRANGE_HEXAHEDRON, VTK_LAGRANGE_WEDGE, VTK_LAGRANGE_PYRAMID, VTK_BEZIER_TETRAHEDRON,
+        VTK_BEZIER_HEXAHEDRON, VTK_BEZIER_WEDGE, VTK_BEZIER_PYRAMID, VTK_HIGHER_ORDER_HEXAHEDRON });
+      const vtkIdType corners = offsets->GetValue(cell + 1) - offsets->GetValue(cell);
+      if (corners >= (type == VTK_QUADRATIC_HEXAHEDRON ? 20 : 4))
       {
         return {};
       }
-      types->SetValue(cell, VTK_QUADRATIC_HEXAHEDRON);
+      types->SetValue(cell, static_cast<unsigned char>(type));
       break;
+    }
     default:
       types->SetNumberOfValues(cells - 1);
   }

@@ -6,6 +6,7 @@
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
@@ -43,7 +44,7 @@ std::array<int, 3> MakeDimensions(FuzzRandom& random)
   return { { random.Whole(smallest, 7), random.Whole(smallest, 7), random.Whole(smallest, 7) } };
 }
 
-/// Coordinates that grow, of which some are nearly or wholly the same unless \a isTame.
+/// Coordinates that grow or fall. Unless \a isTame, some are equal, turn back, or are not finite.
 vtkSmartPointer<vtkDoubleArray> MakeCoordinates(FuzzRandom& random, int count, bool isTame)
 {
   auto coordinates = vtkSmartPointer<vtkDoubleArray>::New();
@@ -51,7 +52,17 @@ vtkSmartPointer<vtkDoubleArray> MakeCoordinates(FuzzRandom& random, int count, b
   for (int i = 0; i < count; ++i)
   {
     coordinates->InsertNextValue(x);
-    x += isTame ? random.Between(0.1, 1.0) : random.Pick<double>({ 0.0, 1e-12, 0.3, 1.0, 1e6 });
+    x +=
+      isTame ? random.Between(0.1, 1.0) : random.Pick<double>({ 0.0, 1e-12, 0.3, 1.0, 1e6, -0.5 });
+  }
+  const double sign = random.Chance(0.2) ? -1.0 : 1.0;
+  for (double& value : vtk::DataArrayValueRange<1>(coordinates.Get()))
+  {
+    value *= sign;
+  }
+  if (!isTame && random.Chance(0.05))
+  {
+    coordinates->SetValue(random.Whole(0, count - 1), random.Pick(ExtremeNumbers));
   }
   return coordinates;
 }
@@ -299,6 +310,44 @@ void AddCellArray(FuzzData& data)
   data.Data->GetCellData()->AddArray(array);
 }
 
+/// Adds a permutation as global ids of a random type, sometimes too short.
+void AddGlobalIds(FuzzRandom& random, FuzzData& data)
+{
+  static const std::vector<int> types = { VTK_ID_TYPE, VTK_INT, VTK_LONG_LONG, VTK_UNSIGNED_INT,
+    VTK_UNSIGNED_LONG_LONG, VTK_SHORT, VTK_DOUBLE };
+  const auto ids =
+    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(random.Pick(types)));
+  ids->SetName("global ids");
+  const vtkIdType points = data.Data->GetNumberOfPoints();
+  const bool isShort = !data.IsTame && points > 0 && random.Chance(0.1);
+  ids->SetNumberOfTuples(isShort ? points - 1 : points);
+  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+  {
+    ids->SetTuple1(i, static_cast<double>(points - 1 - i));
+  }
+  data.Data->GetPointData()->SetGlobalIds(ids);
+  data.Text += std::string(", ") + (isShort ? "too few " : "") + "global ids of type " +
+    ids->GetDataTypeAsString();
+}
+
+/// Takes the name of the scalars and adds further arrays without one.
+void AddUnnamedArrays(FuzzRandom& random, FuzzData& data)
+{
+  if (random.Chance(0.5))
+  {
+    data.Data->GetPointData()->GetScalars()->SetName(nullptr);
+  }
+  for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetNumberOfComponents(random.Whole(1, 3));
+    array->SetNumberOfTuples(data.Data->GetNumberOfElements(association));
+    array->Fill(random.Unit());
+    data.Data->GetAttributes(association)->AddArray(array);
+  }
+  data.Text += ", unnamed arrays";
+}
+
 /// Values, flags and arrays, after the coordinates.
 FuzzData Finish(FuzzRandom& random, FuzzData data)
 {
@@ -314,6 +363,14 @@ FuzzData Finish(FuzzRandom& random, FuzzData data)
   if (random.Chance(0.5))
   {
     AddCellArray(data);
+  }
+  if (random.Chance(0.2))
+  {
+    AddGlobalIds(random, data);
+  }
+  if (random.Chance(0.2))
+  {
+    AddUnnamedArrays(random, data);
   }
   data.Text += data.IsTame ? ", tame" : "";
   return data;
@@ -332,13 +389,19 @@ FuzzData MakeImage(FuzzRandom& random)
     first[2], first[2] + dimensions[2] - 1);
   image->SetOrigin(
     random.Between(-3.0, 3.0), 0.0, data.IsTame ? 1.0 : random.Pick<double>({ 0.0, 1e7 }));
-  image->SetSpacing(random.Between(0.1, 2.0),
-    data.IsTame ? 1.0 : random.Pick<double>({ 1.0, 1e-9, 1e9 }), random.Between(0.1, 2.0));
+  const auto sign = [&random]() { return random.Chance(0.15) ? -1.0 : 1.0; };
+  image->SetSpacing(sign() * random.Between(0.1, 2.0),
+    sign() * (data.IsTame ? 1.0 : random.Pick<double>({ 1.0, 1e-9, 1e9 })),
+    sign() * random.Between(0.1, 2.0));
   if (random.Chance(0.2))
   {
     const double a = random.Between(0.0, 3.0);
     image->SetDirectionMatrix(
-      std::cos(a), -std::sin(a), 0.0, std::sin(a), std::cos(a), 0.0, 0.0, 0.0, 1.0);
+      std::cos(a), -std::sin(a), 0.0, std::sin(a), std::cos(a), 0.0, 0.0, 0.0, sign());
+  }
+  if (!data.IsTame && random.Chance(0.05))
+  {
+    image->SetOrigin(random.Pick(ExtremeNumbers), 0.0, 0.0);
   }
   data.Data = image;
   data.Text = "image";
@@ -383,12 +446,20 @@ void AddVectors(FuzzRandom& random, FuzzData& data)
   vectors->SetName("v");
   vectors->SetNumberOfComponents(3);
   const int kind = random.Whole(0, 3);
+  // Points without data have one value in all components.
+  const double fill = random.Pick<double>({ 1e20, 9.96921e36, -9999.0, -30000.0 });
+  const double fillShare = !data.IsTame && random.Chance(0.2) ? random.Between(0.0, 0.5) : 0.0;
+  data.Text += fillShare > 0.0 ? ", fill values " + std::to_string(fill) : "";
   for (vtkIdType i = 0; i < data.Data->GetNumberOfPoints(); ++i)
   {
     double x[3];
     data.Data->GetPoint(i, x);
     double v[3] = { 1.0, 0.2, 0.1 };
-    if (kind == 0)
+    if (random.Chance(fillShare))
+    {
+      std::fill_n(v, 3, fill);
+    }
+    else if (kind == 0)
     {
       v[0] = -x[1] + 0.3;
       v[1] = x[0];

@@ -14,6 +14,8 @@
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
 #include "vtkRenderer.h"
 #include "vtkShadowedSliceMapper.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
@@ -50,6 +52,33 @@ vtkSmartPointer<vtkVolumeProperty> MakeProperty(FuzzRandom& random)
   return property;
 }
 
+/// Projects off axis, through a screen beside the data, for one eye or the other.
+void UseScreen(FuzzRandom& random, vtkCamera* camera, const double center[3], double length)
+{
+  const double left = center[0] - length * random.Between(0.3, 0.9);
+  const double low = center[1] - length * random.Between(0.3, 0.9);
+  camera->SetScreenBottomLeft(left, low, center[2]);
+  camera->SetScreenBottomRight(left + 1.2 * length, low, center[2]);
+  camera->SetScreenTopRight(left + 1.2 * length, low + 1.2 * length, center[2]);
+  camera->UseOffAxisProjectionOn();
+  camera->SetEyeSeparation(0.1 * length);
+  camera->SetLeftEye(random.Whole(0, 1));
+}
+
+/// Adds up to three planes through the data.
+void AddClippingPlanes(FuzzRandom& random, vtkAbstractMapper* mapper, vtkDataSet* data)
+{
+  const int count = random.Chance(0.2) ? random.Whole(1, 3) : 0;
+  for (int i = 0; i < count; ++i)
+  {
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(data->GetCenter());
+    plane->SetNormal(
+      random.Between(-1.0, 1.0), random.Between(-1.0, 1.0), random.Pick<double>({ 0.0, 1.0 }));
+    mapper->AddClippingPlane(plane);
+  }
+}
+
 /// A camera that looks at the data, or along an axis, near, far, or from within.
 vtkSmartPointer<vtkCamera> MakeCamera(FuzzRandom& random, vtkDataSet* data)
 {
@@ -72,6 +101,14 @@ vtkSmartPointer<vtkCamera> MakeCamera(FuzzRandom& random, vtkDataSet* data)
   camera->SetParallelProjection(random.Chance(0.4));
   camera->SetParallelScale(0.6 * length);
   camera->SetClippingRange(1e-3 * length, distance + 10.0 * length);
+  if (random.Chance(0.15))
+  {
+    camera->SetViewShear(random.Between(-0.3, 0.3), random.Between(-0.3, 0.3), 1.0);
+  }
+  else if (random.Chance(0.15))
+  {
+    UseScreen(random, camera, center, length);
+  }
   return camera;
 }
 
@@ -125,6 +162,16 @@ std::vector<vtkSmartPointer<vtkLight>> MakeLights(FuzzRandom& random)
   return lights;
 }
 
+/// Shares the arrays of an image with one whose axes are exchanged.
+vtkSmartPointer<vtkImageData> TurnExtent(vtkImageData* image)
+{
+  auto turned = vtkSmartPointer<vtkImageData>::New();
+  turned->ShallowCopy(image);
+  const int* e = image->GetExtent();
+  turned->SetExtent(e[2], e[3], e[4], e[5], e[0], e[1]);
+  return turned;
+}
+
 }
 
 void RunTetrahedra(FuzzRandom& random, std::string& text, reference::Check& check)
@@ -135,6 +182,8 @@ void RunTetrahedra(FuzzRandom& random, std::string& text, reference::Check& chec
   // Without an order the two paths may take each its own.
   const int sort = random.Whole(0, 2);
   const int integration = random.Whole(0, 1);
+  vtkNew<vtkTimeWeightedTetrahedraMapper> planes;
+  AddClippingPlanes(random, planes, data.Data);
   text =
     data.Text + ", sort " + std::to_string(sort) + ", integration " + std::to_string(integration);
   reference::RgbaPicture pictures[2];
@@ -148,6 +197,7 @@ void RunTetrahedra(FuzzRandom& random, std::string& text, reference::Check& chec
     mapper->SetRenderPath(path);
     mapper->SetSortMode(sort);
     mapper->SetIntegrationMode(integration);
+    mapper->SetClippingPlanes(planes->GetClippingPlanes());
     stage.SetVolume(mapper, property);
     stage.SetCamera(camera);
     const bool isSoftware = path == vtkTimeWeightedTetrahedraMapper::SOFTWARE_PATH;
@@ -177,6 +227,7 @@ void RunShadows(FuzzRandom& random, std::string& text, reference::Check& check)
   mapper->SetSoftShadowMethod(method);
   mapper->SetMultipleScattering(scattering);
   mapper->SetCropping(random.Chance(0.2));
+  AddClippingPlanes(random, mapper, data.Data);
   // Voxels a million times as long as wide have 65,536 slices, which take minutes.
   mapper->SetSliceSpacing(data.IsTame ? 0.0 : std::max(data.Data->GetLength() / 64.0, 0.0));
   stage.SetVolume(mapper, property);
@@ -184,9 +235,22 @@ void RunShadows(FuzzRandom& random, std::string& text, reference::Check& check)
   stage.SetLights(lights);
   const reference::RgbaPicture first = stage.Capture();
   CheckPicture(first, "shadows", check);
-  // Another view and back.
   stage.SetCamera(MakeCamera(random, data.Data));
   CheckPicture(stage.Capture(), "another view", check);
+  // The same arrays in an image of other dimensions, against a mapper that has seen nothing else.
+  const auto turned = TurnExtent(vtkImageData::SafeDownCast(data.Data));
+  mapper->SetInputData(turned);
+  const reference::RgbaPicture changed = stage.Capture();
+  vtkNew<vtkShadowedSliceMapper> fresh;
+  fresh->SetInputData(turned);
+  fresh->SetSoftShadowMethod(method);
+  fresh->SetMultipleScattering(scattering);
+  fresh->SetCropping(mapper->GetCropping());
+  fresh->SetClippingPlanes(mapper->GetClippingPlanes());
+  fresh->SetSliceSpacing(mapper->GetSliceSpacing());
+  stage.SetVolume(fresh, property);
+  check.Near(reference::ComparePictures(changed, stage.Capture()).Max, 0.0, 1e-6,
+    "other dimensions against a new mapper", 1.0);
 }
 
 }
