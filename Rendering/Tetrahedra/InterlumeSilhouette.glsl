@@ -4,10 +4,10 @@
 uniform samplerBuffer points;
 uniform usamplerBuffer corners;
 uniform samplerBuffer volumes;
-// The maps to the eye from the mesh, and to pixels from the eye: scale, shift and offset.
+// The rows of the matrix from the mesh to x and y of pixels, before the division by depth and the
+// offset, and to z of the eye.
 uniform vec4 eyeRows[3];
-uniform vec3 pixelX;
-uniform vec3 pixelY;
+uniform vec2 pixelOffset;
 uniform vec2 viewport;
 // The factor from six times the volume in mesh coordinates to that in pixels and depth.
 uniform float volumeScale;
@@ -185,17 +185,13 @@ Corner fetch(uint id, vec3 first)
 // rounded, so that small and thin tetrahedra keep their shape.
 vec2 project(inout Corner c[4], vec3 eye)
 {
-  vec2 scale = vec2(pixelX.x, pixelY.x);
-  vec2 shift = vec2(pixelX.y, pixelY.y);
-  vec2 offset = vec2(pixelX.z, pixelY.z);
-  vec2 first = scale * eye.xy + shift * eye.z;
+  vec2 first = eye.xy;
 #ifdef PERSPECTIVE
   float w = -eye.z;
   for (int k = 0; k < 4; ++k)
   {
-    vec2 edge = scale * c[k].place + shift * c[k].depth;
     float depth = 1.0 / (w - c[k].depth);
-    c[k].place = (edge + first * (c[k].depth / w)) * depth;
+    c[k].place = (c[k].place + first * (c[k].depth / w)) * depth;
     c[k].depth = depth;
     c[k].scalar *= depth;
     c[k].deltaT *= depth;
@@ -207,11 +203,10 @@ vec2 project(inout Corner c[4], vec3 eye)
 #else
   for (int k = 0; k < 4; ++k)
   {
-    c[k].place = scale * c[k].place + shift * c[k].depth;
     c[k].depth += eye.z;
   }
 #endif
-  return first + offset;
+  return first + pixelOffset;
 }
 
 // Returns the plane of one value over the base triangle (a, b, c).

@@ -29,13 +29,21 @@ flat in vec4 cellColor;
 #endif
 #ifdef OPAQUE
 uniform sampler2D opaqueDepth;
-uniform vec2 depthOfBuffer;
+// Coefficients of depth: constant, value of the buffer, x, y.
+uniform vec4 depthOfBuffer;
 uniform int pixelStride;
 #endif
 uniform float lengthScale;
-#ifdef PERSPECTIVE
-// The direction of a line of sight, 1 along the axis: scale and offset of x, of y.
-uniform vec4 directionOfPixel;
+#if defined(PERSPECTIVE) || defined(SURFACE)
+// The eye point on a pixel's view ray where z is -1 in perspective and 0 in parallel projection:
+// coefficients of x and y for the pixel's x, y and 1.
+uniform vec3 eyeOfPixel[2];
+
+vec2 getEye()
+{
+  vec3 pixel = vec3(gl_FragCoord.xy, 1.0);
+  return vec2(dot(eyeOfPixel[0], pixel), dot(eyeOfPixel[1], pixel));
+}
 #endif
 #ifdef MAXIMUM
 uniform float opacityOfExtinction;
@@ -56,9 +64,10 @@ uniform vec4 surfaceColor;
 uniform vec4 surfaceShares;
 uniform vec3 specularColor;
 uniform vec3 normalRows[3];
-// The map to the eye from pixel and depth: scale, shift and offset of x, then of y.
-uniform vec3 pixelX;
-uniform vec3 pixelY;
+#ifndef PERSPECTIVE
+// The change of the eye point along a view ray, for a unit of depth.
+uniform vec2 tilt;
+#endif
 #ifdef SURFACE_TEXTURE
 uniform sampler2D surfaceTexture;
 #endif
@@ -69,14 +78,11 @@ vec4 shade(float depth, vec3 meshNormal, vec2 texturePlace)
 #ifdef SURFACE_TEXTURE
   base *= texture(surfaceTexture, texturePlace);
 #endif
-  vec2 offset = gl_FragCoord.xy - vec2(pixelX.z, pixelY.z);
 #ifdef PERSPECTIVE
-  float z = -1.0 / depth;
-  offset /= depth;
+  vec3 eye = vec3(getEye(), -1.0) / depth;
 #else
-  float z = depth;
+  vec3 eye = vec3(getEye() - tilt * depth, depth);
 #endif
-  vec3 eye = vec3((offset.x - pixelX.y * z) / pixelX.x, (offset.y - pixelY.y * z) / pixelY.x, z);
   vec3 normal = vec3(dot(normalRows[0], meshNormal), dot(normalRows[1], meshNormal),
     dot(normalRows[2], meshNormal));
   normal = normal / max(length(normal), 1e-30);
@@ -186,7 +192,7 @@ void main()
   float otherDepth = baseDepth + lambda * depthPlane.w;
   float len = lambda * abs(depthPlane.w) * lengthScale;
 #ifdef PERSPECTIVE
-  vec2 direction = directionOfPixel.xz * gl_FragCoord.xy + directionOfPixel.yw;
+  vec2 direction = getEye();
   len *= sqrt(1.0 + dot(direction, direction)) / (baseDepth * otherDepth);
   vec2 weight = 1.0 / vec2(baseDepth, otherDepth);
 #else
@@ -229,7 +235,7 @@ void main()
   // The segment is cut where an opaque surface is, or the far plane.
   float buffered = texelFetch(opaqueDepth, min(pixelStride * ivec2(gl_FragCoord.xy) + pixelStride / 2,
     textureSize(opaqueDepth, 0) - 1), 0).r;
-  float wall = depthOfBuffer.x + depthOfBuffer.y * buffered;
+  float wall = dot(depthOfBuffer, vec4(1.0, buffered, gl_FragCoord.xy));
   if (depths.y < wall)
   {
     if (depths.x <= wall)

@@ -7,15 +7,14 @@
 #include "OpenGL/TetrahedraSelection.h"
 #include "Pieces/PieceExchange.h"
 
-#include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageQuad.h"
-#include "vtkMatrix4x4.h"
-#include "vtkNew.h"
 #include "vtkOpaqueProps.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
@@ -29,6 +28,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <utility>
 
 namespace interlume
@@ -64,6 +64,7 @@ TetrahedraFrame::Blends GetBlend(int mode)
 struct TetrahedraRenderer::DrawnState
 {
   TetrahedraView View;
+  std::vector<PlaneClip::Plane> Planes;
   int MeshVersion = 0;
   int ColorVersion = 0;
   int OrderVersion = 0;
@@ -80,11 +81,11 @@ struct TetrahedraRenderer::DrawnState
 
   bool operator==(const DrawnState& other) const
   {
-    return this->View == other.View && this->MeshVersion == other.MeshVersion &&
-      this->ColorVersion == other.ColorVersion && this->OrderVersion == other.OrderVersion &&
-      this->SurfaceVersion == other.SurfaceVersion && this->Blend == other.Blend &&
-      this->IsExact == other.IsExact && this->IsPiece == other.IsPiece &&
-      this->PixelStride == other.PixelStride &&
+    return this->View == other.View && this->Planes == other.Planes &&
+      this->MeshVersion == other.MeshVersion && this->ColorVersion == other.ColorVersion &&
+      this->OrderVersion == other.OrderVersion && this->SurfaceVersion == other.SurfaceVersion &&
+      this->Blend == other.Blend && this->IsExact == other.IsExact &&
+      this->IsPiece == other.IsPiece && this->PixelStride == other.PixelStride &&
       this->TetrahedronStride == other.TetrahedronStride && this->Opaque == other.Opaque &&
       this->Order == other.Order;
   }
@@ -99,8 +100,7 @@ struct TetrahedraRenderer::WindowResources
   int ColorVersion = 0;
   int OrderVersion = 0;
   int BoundaryVersion = 0;
-  bool WasClipped = false;
-  TetrahedraView ClipView;
+  std::vector<PlaneClip::Plane> Planes;
   DrawnState Drawn;
   vtkIdType NumberDrawn = 0;
 };
@@ -343,16 +343,40 @@ std::string TetrahedraRenderer::UpdateFrame(
   this->UpdateBoundary(renderer, request, report);
   this->ChooseSort(request, report);
   const std::vector<std::uint32_t>* order = this->UpdateOrder(request, report);
-  this->Clip.Append(this->Mesh, this->Fields, this->Frame.View, order);
+  error = this->ClipMesh(request, order);
+  if (!error.empty())
+  {
+    return error;
+  }
   report.TetrahedraClipped = this->Clip.GetNumberClipped();
 
   this->Frame.Mesh = &this->Mesh;
   this->Frame.Fields = &this->Fields;
   this->Frame.Pieces = &this->Pieces;
-  this->Frame.Order = this->Clip.IsActive() ? &this->Clip.GetOrder() : order;
   this->Frame.Blend = GetBlend(report.BlendMode);
   this->Frame.IsExact = request.Settings.IntegrationMode == Settings::LINEAR_SEGMENT;
   this->Frame.PixelStride = report.PixelStride;
+  return {};
+}
+
+std::string TetrahedraRenderer::ClipMesh(
+  const Request& request, const std::vector<std::uint32_t>* order)
+{
+  const TetrahedraView& view = this->Frame.View;
+  std::vector<PlaneClip::Plane> planes{ view.GetNearPlane() };
+  const int number = request.ClippingPlanes ? request.ClippingPlanes->GetNumberOfItems() : 0;
+  for (int i = 0; i < number; ++i)
+  {
+    vtkPlane* plane = request.ClippingPlanes->GetItem(i);
+    planes.push_back(view.GetPlane(plane->GetNormal(), plane->GetOrigin()));
+    if (!std::isfinite(planes.back().w))
+    {
+      return "clipping plane " + std::to_string(i) +
+        " has a normal of length 0 or a number that is not finite; set its normal and its origin";
+    }
+  }
+  this->Clip.Append(this->Mesh, this->Fields, planes, view.GetRays().Viewpoint, order);
+  this->Frame.Order = this->Clip.IsActive() ? &this->Clip.GetOrder() : order;
   return {};
 }
 
@@ -459,13 +483,9 @@ std::string TetrahedraRenderer::Render(
 std::string TetrahedraRenderer::DrawWithOpenGL(
   vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, vtkTetrahedraReport& report)
 {
-  // Parts cut at the near plane are in the mesh for this view only.
-  const bool isClipped = this->Clip.IsActive();
-  const bool isSameCut = isClipped == resources.WasClipped &&
-    (!isClipped ||
-      (resources.ClipView == this->Frame.View && resources.MeshVersion == this->MeshVersion &&
-        resources.OrderVersion == this->OrderVersion &&
-        resources.BoundaryVersion == this->BoundaryVersion));
+  // The same planes append the same parts to the same mesh.
+  const bool isSameCut = resources.Planes == this->Clip.GetPlanes() &&
+    (resources.Planes.empty() || resources.MeshVersion == this->MeshVersion);
   OpenGLRasterizer::Changes changes;
   changes.Mesh = !isSameCut || resources.MeshVersion != this->MeshVersion;
   changes.Values = !isSameCut || resources.ValueVersion != this->ValueVersion;
@@ -479,8 +499,7 @@ std::string TetrahedraRenderer::DrawWithOpenGL(
   resources.ColorVersion = this->ColorVersion;
   resources.OrderVersion = this->OrderVersion;
   resources.BoundaryVersion = this->BoundaryVersion;
-  resources.WasClipped = isClipped;
-  resources.ClipView = this->Frame.View;
+  resources.Planes = this->Clip.GetPlanes();
   report.TetrahedraDrawn = static_cast<vtkIdType>(
     this->Frame.Order ? this->Frame.Order->size() : this->Mesh.GetNumberOfTetrahedra());
   return error;
@@ -492,9 +511,10 @@ void TetrahedraRenderer::DrawInSoftware(
   this->ReadDepth(renderer);
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   report.Features = this->GetFeatures();
-  const DrawnState state = { this->Frame.View, this->MeshVersion, this->ColorVersion,
-    this->OrderVersion, this->SurfaceVersion, this->Frame.Blend, this->Frame.IsExact, false,
-    this->Frame.PixelStride, this->Frame.TetrahedronStride, this->Depth.GetDepths(), {} };
+  const DrawnState state = { this->Frame.View, this->Clip.GetPlanes(), this->MeshVersion,
+    this->ColorVersion, this->OrderVersion, this->SurfaceVersion, this->Frame.Blend,
+    this->Frame.IsExact, false, this->Frame.PixelStride, this->Frame.TetrahedronStride,
+    this->Depth.GetDepths(), {} };
   // A still view of a still scene keeps its picture.
   if (!(resources.Drawn == state))
   {
@@ -543,19 +563,7 @@ std::vector<int> TetrahedraRenderer::FindPieceOrder(
   std::vector<int> order(static_cast<std::size_t>(pieces.GetNumberOfRanks()), 0);
   if (pieces.GetRank() == 0)
   {
-    vtkCamera* camera = renderer->GetActiveCamera();
-    const double* position = camera->GetPosition();
-    const double* direction = camera->GetDirectionOfProjection();
-    std::array<double, 4> eye{ { position[0], position[1], position[2], 1.0 } };
-    if (camera->GetParallelProjection() != 0)
-    {
-      eye = { { -direction[0], -direction[1], -direction[2], 0.0 } };
-    }
-    vtkNew<vtkMatrix4x4> place;
-    volume->GetMatrix(place);
-    place->Invert();
-    place->MultiplyPoint(eye.data(), eye.data());
-    order = pieces.GetOrder()->Compute(eye);
+    order = pieces.GetOrder()->Compute(TetrahedraView::FindEye(renderer, volume));
   }
   pieces.Maximize(order);
   return order;
@@ -586,6 +594,7 @@ std::string TetrahedraRenderer::RenderPieces(vtkRenderer* renderer, vtkVolume* v
   if (isHere)
   {
     state.View = this->Frame.View;
+    state.Planes = this->Clip.GetPlanes();
     state.MeshVersion = this->MeshVersion;
     state.ColorVersion = this->ColorVersion;
     state.OrderVersion = this->OrderVersion;
@@ -722,8 +731,9 @@ void TetrahedraRenderer::PlaceDepth()
 
 bool TetrahedraRenderer::IsCutByFarPlane() const
 {
-  const TetrahedraView& view = this->Frame.View;
-  if (view.GetReach()[1] <= view.GetFar())
+  const glm::dvec4& far = this->Frame.View.GetFarPlane();
+  // Mesh coordinates are between -1 and 1; the limit is a little more for rounding.
+  if (far.w >= (1.0 + 1e-9) * (std::abs(far.x) + std::abs(far.y) + std::abs(far.z)))
   {
     return false;
   }
@@ -733,8 +743,8 @@ bool TetrahedraRenderer::IsCutByFarPlane() const
     {
       for (vtkIdType p = first; p < last && !isBeyond; ++p)
       {
-        if (-view.GetEyePoint(&this->Mesh.Points[3 * static_cast<std::size_t>(p)])[2] >
-          view.GetFar())
+        const double* point = this->Mesh.GetPoint(static_cast<std::uint32_t>(p));
+        if (glm::dot(far, glm::dvec4(glm::make_vec3(point), 1.0)) < 0.0)
         {
           isBeyond = true;
         }

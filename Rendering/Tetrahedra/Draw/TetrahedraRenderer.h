@@ -4,7 +4,7 @@
 
 #include "Draw/LevelOfDetail.h"
 #include "Frame/BoundaryShading.h"
-#include "Frame/NearClip.h"
+#include "Frame/PlaneClip.h"
 #include "Frame/TetrahedraFrame.h"
 #include "Mesh/MeshBuilder.h"
 #include "Mesh/TetrahedraBuilder.h"
@@ -26,6 +26,7 @@
 class vtkDataSet;
 class vtkHardwareSelector;
 class vtkOpenGLRenderWindow;
+class vtkPlaneCollection;
 class vtkRenderer;
 class vtkUnstructuredGrid;
 class vtkVolume;
@@ -61,6 +62,8 @@ public:
     vtkUnstructuredGrid* Grid = nullptr;
     TetrahedraArrays Arrays;
     vtkDataSet* Boundary = nullptr;
+    /// The clipping planes, in the world; may be null.
+    vtkPlaneCollection* ClippingPlanes = nullptr;
     /// The pieces of other processes that this one is drawn with; null where it is drawn alone.
     /// With them Grid may be null.
     const PieceExchange* Pieces = nullptr;
@@ -97,6 +100,9 @@ private:
   /// Makes what has changed of this picture anew. Returns what is wrong, or nothing.
   std::string UpdateFrame(
     vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report);
+  /// Cuts the mesh at the near plane and the clipping planes, and sets the order that is drawn.
+  /// Returns an error message, or an empty string on success.
+  std::string ClipMesh(const Request& request, const std::vector<std::uint32_t>* order);
   void DrawFrame(vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources,
     vtkTetrahedraReport& report);
   bool FindOneColor() const;
@@ -161,7 +167,7 @@ private:
   PiecewiseLinearTransfer Pieces;
   interlume::MeshBuilder MeshBuilder;
   TetrahedraOrder Order;
-  NearClip Clip;
+  PlaneClip Clip;
   TetrahedraDepth Depth;
   TetrahedraFrame Frame;
   SoftwareRasterizer Rasterizer;

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/BoundaryShading.h"
 
-#include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
-#include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -45,7 +43,6 @@ void BoundaryShading::Set(
     static_cast<float>(property->GetSpecularPower()) } };
 
   this->Lights.clear();
-  vtkMatrix4x4* eyeFromWorld = renderer->GetActiveCamera()->GetModelViewTransformMatrix();
   vtkCollectionSimpleIterator iterator;
   renderer->GetLights()->InitTraversal(iterator);
   while (vtkLight* light = renderer->GetLights()->GetNextLight(iterator))
@@ -58,12 +55,11 @@ void BoundaryShading::Set(
     double focus[4] = { 0.0, 0.0, 0.0, 1.0 };
     light->GetTransformedPosition(position);
     light->GetTransformedFocalPoint(focus);
-    eyeFromWorld->MultiplyPoint(position, position);
-    eyeFromWorld->MultiplyPoint(focus, focus);
+    const glm::dvec3 place = view.GetEyeOfWorld(glm::make_vec4(position));
+    const glm::dvec3 towards = Normalized(place - view.GetEyeOfWorld(glm::make_vec4(focus)));
     Light seen;
     seen.IsPositional = light->GetPositional() != 0;
-    const glm::dvec3 towards = Normalized(glm::make_vec3(position) - glm::make_vec3(focus));
-    seen.Place = glm::vec3(seen.IsPositional ? glm::make_vec3(position) / view.GetUnit() : towards);
+    seen.Place = glm::vec3(seen.IsPositional ? place : towards);
     for (int c = 0; c < 3; ++c)
     {
       seen.Color[c] = static_cast<float>(light->GetDiffuseColor()[c] * light->GetIntensity());

@@ -284,23 +284,21 @@ void OpenGLRasterizer::SetUniforms(
   vtkShaderProgram* program, const TetrahedraFrame& frame, bool hasOpaque)
 {
   const TetrahedraView& view = frame.View;
-  const std::array<double, 12>& matrix = view.GetEyeFromMesh();
+  const std::array<double, 12> matrix = view.GetPixelsFromMesh();
   float rows[3][4];
   for (int i = 0; i < 12; ++i)
   {
     rows[i / 4][i % 4] = static_cast<float>(matrix[i]);
   }
   program->SetUniform4fv("eyeRows", 3, rows);
-  const std::array<double, 6> pixels = view.GetPixelsFromEye();
-  program->SetUniform3f("pixelX", &pixels[0]);
-  program->SetUniform3f("pixelY", &pixels[3]);
+  program->SetUniform2f("pixelOffset", glm::value_ptr(glm::vec2(view.GetPixelOffset())));
   const float viewport[2] = { static_cast<float>(view.GetWidth()),
     static_cast<float>(view.GetHeight()) };
   program->SetUniform2f("viewport", viewport);
   const double determinant = matrix[0] * (matrix[5] * matrix[10] - matrix[6] * matrix[9]) -
     matrix[1] * (matrix[4] * matrix[10] - matrix[6] * matrix[8]) +
     matrix[2] * (matrix[4] * matrix[9] - matrix[5] * matrix[8]);
-  program->SetUniformf("volumeScale", static_cast<float>(-determinant * pixels[0] * pixels[3]));
+  program->SetUniformf("volumeScale", static_cast<float>(-determinant));
   const auto stride = static_cast<float>(frame.TetrahedronStride);
   if (view.IsParallel())
   {
@@ -309,10 +307,16 @@ void OpenGLRasterizer::SetUniforms(
   else
   {
     program->SetUniformf("lengthScale", stride);
-    const glm::dvec3 first = view.GetEyePoint(0.0, 0.0, 1.0);
-    const float direction[4] = { static_cast<float>(1.0 / pixels[0]), static_cast<float>(first[0]),
-      static_cast<float>(1.0 / pixels[3]), static_cast<float>(first[1]) };
-    program->SetUniform4f("directionOfPixel", direction);
+  }
+  if (!view.IsParallel() || frame.Surface)
+  {
+    const std::array<glm::dvec3, 2> eye = view.GetEyeOfPixels();
+    const glm::vec3 coefficients[2] = { glm::vec3(eye[0]), glm::vec3(eye[1]) };
+    program->SetUniform3fv("eyeOfPixel", 2, glm::value_ptr(coefficients[0]));
+  }
+  if (view.IsParallel() && frame.Surface)
+  {
+    program->SetUniform2f("tilt", glm::value_ptr(glm::vec2(view.GetTilt())));
   }
   if (frame.TetrahedronStride > 1)
   {
@@ -320,9 +324,8 @@ void OpenGLRasterizer::SetUniforms(
   }
   if (hasOpaque)
   {
-    const std::array<double, 2>& depth = view.GetDepthOfBuffer();
-    const float values[2] = { static_cast<float>(depth[0]), static_cast<float>(depth[1]) };
-    program->SetUniform2f("depthOfBuffer", values);
+    const glm::vec4 depth(view.GetDepthOfBuffer());
+    program->SetUniform4f("depthOfBuffer", glm::value_ptr(depth));
     program->SetUniformi("opaqueDepth", this->Depth->GetTextureUnit());
     program->SetUniformi("pixelStride", frame.PixelStride);
   }
@@ -332,13 +335,18 @@ void OpenGLRasterizer::SetUniforms(
   }
 }
 
+void OpenGLRasterizer::Clear(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame)
+{
+  window->GetState()->vtkglClearColor(
+    frame.Blend == TetrahedraFrame::MAXIMUM ? -1.0f : 0.0f, 0.0f, 0.0f, 0.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+}
+
 void OpenGLRasterizer::DrawRange(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
   std::size_t first, std::size_t number)
 {
   vtkOpenGLState* state = window->GetState();
   const bool isOver = frame.Blend == TetrahedraFrame::COMPOSITE;
-  state->vtkglClearColor(frame.Blend == TetrahedraFrame::MAXIMUM ? -1.0f : 0.0f, 0.0f, 0.0f, 0.0f);
-  glClear(GL_COLOR_BUFFER_BIT);
   state->vtkglBlendFunc(GL_ONE, isOver ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
   state->vtkglBlendEquation(frame.Blend == TetrahedraFrame::MAXIMUM ? GL_MAX : GL_FUNC_ADD);
   this->Vertices->Bind();
@@ -398,6 +406,7 @@ bool OpenGLRasterizer::DrawLayers(vtkOpenGLRenderWindow* window, const Tetrahedr
     frame.Order ? frame.Order->size() : frame.Mesh->GetNumberOfTetrahedra();
   if (frame.Blend != TetrahedraFrame::PRIORITY)
   {
+    Clear(window, frame);
     return number == 0 || this->DrawLayer(window, frame, features, hasOpaque, 0, number);
   }
   this->Framebuffer->AddColorAttachment(0, this->Layers);
@@ -415,6 +424,7 @@ bool OpenGLRasterizer::DrawLayers(vtkOpenGLRenderWindow* window, const Tetrahedr
       ++last;
     }
     this->Framebuffer->AddColorAttachment(0, this->Sums);
+    Clear(window, frame);
     if (!this->DrawLayer(window, frame, features, hasOpaque, first, last - first))
     {
       return false;

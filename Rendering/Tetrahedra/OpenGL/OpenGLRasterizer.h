@@ -82,6 +82,8 @@ private:
     const std::string& features, bool hasOpaque);
   bool DrawLayer(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
     const std::string& features, bool hasOpaque, std::size_t first, std::size_t number);
+  /// Clears what is drawn to.
+  static void Clear(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame);
   void DrawRange(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame, std::size_t first,
     std::size_t number);
   void Resolve(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,

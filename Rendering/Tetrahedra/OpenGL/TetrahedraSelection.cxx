@@ -41,7 +41,9 @@ std::vector<float> TetrahedraSelection::MakeImage(vtkHardwareSelector* selector,
         // The value stands for the only block.
         vtkHardwareSelector::Convert(1, pixel);
     }
-    const double depth = view.GetBufferOfDepth(depths[i]);
+    const auto width = static_cast<std::size_t>(view.GetWidth());
+    const double depth = view.GetBufferOfDepth(
+      static_cast<double>(i % width) + 0.5, static_cast<double>(i / width) + 0.5, depths[i]);
     pixel[3] = cells[i] == 0 ? -1.0f : static_cast<float>(std::max(0.0, std::min(depth, 1.0)));
   }
   return image;

@@ -29,13 +29,8 @@ void TetrahedraDepth::SetBuffer(const std::vector<float>& depths, const std::arr
 void TetrahedraDepth::Place(const TetrahedraView& view, int stride, bool isCutByFarPlane)
 {
   this->Depths.clear();
-  const std::array<double, 2>& depthOfBuffer = view.GetDepthOfBuffer();
-  const auto nothing = isCutByFarPlane ? static_cast<float>(depthOfBuffer[0] + depthOfBuffer[1])
-                                       : std::numeric_limits<float>::lowest();
-  if (this->Buffer.empty())
+  if (this->Buffer.empty() && !isCutByFarPlane)
   {
-    this->Depths.assign(
-      isCutByFarPlane ? static_cast<std::size_t>(view.GetWidth()) * view.GetHeight() : 0, nothing);
     return;
   }
   this->Depths.reserve(static_cast<std::size_t>(view.GetWidth()) * view.GetHeight());
@@ -45,9 +40,12 @@ void TetrahedraDepth::Place(const TetrahedraView& view, int stride, bool isCutBy
     for (int x = 0; x < view.GetWidth(); ++x)
     {
       const int column = std::min(x * stride + stride / 2, this->Size[0] - 1);
-      const double value = this->Buffer[static_cast<std::size_t>(row) * this->Size[0] + column];
-      this->Depths.push_back(
-        value >= 1.0 ? nothing : static_cast<float>(depthOfBuffer[0] + depthOfBuffer[1] * value));
+      const double value = this->Buffer.empty()
+        ? 1.0
+        : this->Buffer[static_cast<std::size_t>(row) * this->Size[0] + column];
+      this->Depths.push_back(value >= 1.0 && !isCutByFarPlane
+          ? std::numeric_limits<float>::lowest()
+          : static_cast<float>(view.GetDepthOfBuffer(x + 0.5, y + 0.5, value)));
     }
   }
 }

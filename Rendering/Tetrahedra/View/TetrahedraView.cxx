@@ -20,7 +20,84 @@ namespace
 /// less, the thinner meshes that are seen from the side may be.
 constexpr double HAIR_X = 2.3e-9;
 constexpr double HAIR_Y = 3.7e-9;
+
+// Returns the transposed matrix, whose columns are the matrix's rows.
+glm::dmat4 GetRows(vtkMatrix4x4* matrix)
+{
+  return glm::make_mat4(matrix->GetData());
 }
+
+// Returns the rows of the matrix from some coordinates to clip coordinates by those to the world.
+glm::dmat4 GetClipRows(vtkRenderer* renderer, const glm::dmat4& toWorld)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  return (toWorld * GetRows(camera->GetModelViewTransformMatrix())) *
+    GetRows(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
+}
+
+glm::dvec4 Normalized(const glm::dvec4& plane)
+{
+  return plane / glm::length(glm::dvec3(plane));
+}
+}
+
+/// The right-handed axes of eye coordinates in the world, and clip coordinates by them, from an RQ
+/// decomposition: X = ScaleX x + SkewX y + ShiftX z, Y = ScaleY y + ShiftY z, and -Depth z, which
+/// is w in perspective and Z in parallel projection.
+struct TetrahedraView::Axes
+{
+  Axes(const glm::dmat4& clip, int deepRow)
+    : DeepRow(deepRow)
+  {
+    const glm::dvec3 deep(clip[deepRow]);
+    this->Depth = glm::length(deep);
+    this->Back = -deep / this->Depth;
+    const glm::dvec3 y(clip[1]);
+    this->ShiftY = glm::dot(y, this->Back);
+    this->Up = y - this->ShiftY * this->Back;
+    this->ScaleY = glm::length(this->Up);
+    this->Up /= this->ScaleY;
+    this->Right = glm::cross(this->Up, this->Back);
+    const glm::dvec3 x(clip[0]);
+    this->ScaleX = glm::dot(x, this->Right);
+    this->SkewX = glm::dot(x, this->Up);
+    this->ShiftX = glm::dot(x, this->Back);
+  }
+
+  bool IsValid() const
+  {
+    const double inverse = 1.0 / (this->Depth * this->ScaleX * this->ScaleY);
+    return std::isfinite(inverse) && inverse != 0.0;
+  }
+
+  // Returns the rows of the matrix to eye coordinates by those to clip coordinates.
+  std::array<glm::dvec4, 3> GetEyeRows(const glm::dmat4& clip) const
+  {
+    const glm::dvec4 z = clip[this->DeepRow] / -this->Depth;
+    const glm::dvec4 y = (clip[1] - this->ShiftY * z) / this->ScaleY;
+    return { { (clip[0] - this->SkewX * y - this->ShiftX * z) / this->ScaleX, y, z } };
+  }
+
+  // Returns the coefficients of Z = x X + y Y + w w, but for a constant, in perspective.
+  glm::dvec3 GetDepthRow(const glm::dmat4& clip) const
+  {
+    const glm::dvec3 z(clip[2]);
+    const double x = glm::dot(z, this->Right) / this->ScaleX;
+    const double y = (glm::dot(z, this->Up) - x * this->SkewX) / this->ScaleY;
+    return { x, y, (x * this->ShiftX + y * this->ShiftY - glm::dot(z, this->Back)) / this->Depth };
+  }
+
+  int DeepRow;
+  glm::dvec3 Right;
+  glm::dvec3 Up;
+  glm::dvec3 Back;
+  double Depth;
+  double ScaleX;
+  double SkewX;
+  double ShiftX;
+  double ScaleY;
+  double ShiftY;
+};
 
 std::string TetrahedraView::Set(
   vtkRenderer* renderer, vtkVolume* volume, const TetrahedraMesh& mesh, int stride)
@@ -32,8 +109,6 @@ std::string TetrahedraView::Set(
   renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
   this->Width = (width + stride - 1) / stride;
   this->Height = (height + stride - 1) / stride;
-  vtkCamera* camera = renderer->GetActiveCamera();
-  this->Parallel = camera->GetParallelProjection() != 0;
 
   // Everything is put together in double precision before a coordinate is touched.
   vtkNew<vtkMatrix4x4> place;
@@ -51,65 +126,121 @@ std::string TetrahedraView::Set(
     return "the volume's matrix is singular or not finite";
   }
   this->Unit = std::cbrt(determinant);
-  vtkNew<vtkMatrix4x4> eye;
-  vtkMatrix4x4::Multiply4x4(camera->GetModelViewTransformMatrix(), place, eye);
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 4; ++j)
-    {
-      this->EyeFromMesh[4 * i + j] = eye->GetElement(i, j) / this->Unit;
-    }
-  }
+  this->WorldFromMesh = GetRows(place);
+  return this->SetEye(GetClipRows(renderer, glm::dmat4(1.0)),
+    GetClipRows(renderer, this->WorldFromMesh),
+    glm::make_vec3(renderer->GetActiveCamera()->GetPosition()),
+    { { 0.5 * width / stride, 0.5 * height / stride } });
+}
 
-  vtkMatrix4x4* p =
-    camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0);
-  const double halfWidth = 0.5 * width / stride;
-  const double halfHeight = 0.5 * height / stride;
-  // In perspective the row's constant, in parallel no unit, belongs to lengths.
-  const double length = this->Parallel ? this->Unit : 1.0;
-  this->ScaleX = halfWidth * p->GetElement(0, 0) * length;
-  this->ScaleY = halfHeight * p->GetElement(1, 1) * length;
-  this->ShiftX = halfWidth * p->GetElement(0, 2) * length;
-  this->ShiftY = halfHeight * p->GetElement(1, 2) * length;
-  this->OffsetX = halfWidth * (1.0 + (this->Parallel ? p->GetElement(0, 3) : 0.0)) + HAIR_X;
-  this->OffsetY = halfHeight * (1.0 + (this->Parallel ? p->GetElement(1, 3) : 0.0)) + HAIR_Y;
-
-  double range[2];
-  camera->GetClippingRange(range);
-  this->Near = range[0] / this->Unit;
-  this->Far = range[1] / this->Unit;
-  const double p22 = p->GetElement(2, 2);
-  const double p23 = p->GetElement(2, 3);
+std::string TetrahedraView::SetEye(glm::dmat4 world, glm::dmat4 mesh, const glm::dvec3& camera,
+  const std::array<double, 2>& halfSize)
+{
+  this->Parallel = glm::dvec3(world[3]) == glm::dvec3(0.0);
   if (this->Parallel)
   {
-    this->DepthOfBuffer = { { (-1.0 - p23) / (p22 * this->Unit), 2.0 / (p22 * this->Unit) } };
+    mesh /= world[3].w;
+    world /= world[3].w;
+  }
+  this->NearPlane = Normalized(mesh[3] + mesh[2]);
+  this->FarPlane = Normalized(mesh[3] - mesh[2]);
+  const Axes axes(world, this->Parallel ? 2 : 3);
+  if (!axes.IsValid() || !std::isfinite(this->NearPlane.w) || !std::isfinite(this->FarPlane.w))
+  {
+    return "the camera's matrix is singular or not finite";
+  }
+
+  // View rays meet in the origin of eye coordinates, in parallel projection that is the camera.
+  glm::dvec3 origin(0.0);
+  if (this->Parallel)
+  {
+    for (int row = 0; row < 3; ++row)
+    {
+      origin[row] = glm::dot(world[row], glm::dvec4(camera, 1.0));
+      mesh[row].w -= origin[row];
+      world[row].w -= origin[row];
+    }
+    const double unit = 1.0 / (axes.Depth * this->Unit);
+    this->DepthOfBuffer = { (origin[2] + 1.0) * unit, -2.0 * unit, 0.0, 0.0 };
   }
   else
   {
-    this->DepthOfBuffer = { { (p22 - 1.0) * this->Unit / p23, 2.0 * this->Unit / p23 } };
+    const glm::dvec3 row = axes.GetDepthRow(world);
+    const double constant = mesh[2].w - row.x * mesh[0].w - row.y * mesh[1].w - row.z * mesh[3].w;
+    const double unit = axes.Depth * this->Unit / constant;
+    this->DepthOfBuffer = { (row.x + row.y - row.z - 1.0) * unit, 2.0 * unit,
+      -row.x * unit / halfSize[0], -row.y * unit / halfSize[1] };
   }
+  const std::array<glm::dvec4, 3> meshRows = axes.GetEyeRows(mesh);
+  this->EyeFromWorld = axes.GetEyeRows(world);
+  for (int i = 0; i < 3; ++i)
+  {
+    const glm::dvec4 row = meshRows[i] / this->Unit;
+    std::copy_n(glm::value_ptr(row), 4, &this->EyeFromMesh[4 * i]);
+    this->EyeFromWorld[i] /= this->Unit;
+  }
+  const double length = this->Parallel ? this->Unit : 1.0 / axes.Depth;
+  this->ScaleX = halfSize[0] * axes.ScaleX * length;
+  this->SkewX = halfSize[0] * axes.SkewX * length;
+  this->ShiftX = halfSize[0] * axes.ShiftX * length;
+  this->OffsetX = halfSize[0] * (1.0 + origin[0]) + HAIR_X;
+  this->ScaleY = halfSize[1] * axes.ScaleY * length;
+  this->ShiftY = halfSize[1] * axes.ShiftY * length;
+  this->OffsetY = halfSize[1] * (1.0 + origin[1]) + HAIR_Y;
   return {};
 }
 
-std::array<double, 2> TetrahedraView::GetReach() const
+std::array<double, 4> TetrahedraView::FindEye(vtkRenderer* renderer, vtkVolume* volume)
 {
-  // Mesh coordinates are between -1 and 1; the limit is a little more for rounding.
-  const double limit = 1.0 + 1e-9;
-  const double* row = &this->EyeFromMesh[8];
-  const double reach = limit * (std::abs(row[0]) + std::abs(row[1]) + std::abs(row[2]));
-  return { { -row[3] - reach, -row[3] + reach } };
+  vtkNew<vtkMatrix4x4> place;
+  volume->GetMatrix(place);
+  // The only point whose clip coordinates X, Y and w are 0.
+  glm::dvec4 eye =
+    glm::dvec4(0.0, 0.0, -1.0, 0.0) * glm::inverse(GetClipRows(renderer, GetRows(place)));
+  eye = eye.w < 0.0 ? -eye : eye;
+  return { { eye.x, eye.y, eye.z, eye.w } };
+}
+
+glm::dvec4 TetrahedraView::GetPlane(const double* normal, const double* origin) const
+{
+  glm::dvec4 plane(0.0);
+  for (int i = 0; i < 3; ++i)
+  {
+    plane += normal[i] * (this->WorldFromMesh[i] - glm::dvec4(0.0, 0.0, 0.0, origin[i]));
+  }
+  return Normalized(plane);
+}
+
+std::array<double, 12> TetrahedraView::GetPixelsFromMesh() const
+{
+  std::array<double, 12> rows = this->EyeFromMesh;
+  for (int j = 0; j < 4; ++j)
+  {
+    rows[j] = this->ScaleX * this->EyeFromMesh[j] + this->SkewX * this->EyeFromMesh[4 + j] +
+      this->ShiftX * this->EyeFromMesh[8 + j];
+    rows[4 + j] = this->ScaleY * this->EyeFromMesh[4 + j] + this->ShiftY * this->EyeFromMesh[8 + j];
+  }
+  return rows;
+}
+
+std::array<glm::dvec3, 2> TetrahedraView::GetEyeOfPixels() const
+{
+  const glm::dvec3 first = this->GetEyePoint(0.0, 0.0, this->Parallel ? 0.0 : 1.0);
+  return { { { 1.0 / this->ScaleX, -this->SkewX / (this->ScaleX * this->ScaleY), first.x },
+    { 0.0, 1.0 / this->ScaleY, first.y } } };
+}
+
+glm::dvec2 TetrahedraView::GetTilt() const
+{
+  const double y = this->ShiftY / this->ScaleY;
+  return { (this->ShiftX - this->SkewX * y) / this->ScaleX, y };
 }
 
 double TetrahedraView::GetSlant(double x, double y) const
 {
-  if (this->Parallel)
-  {
-    const double dx = this->ShiftX / this->ScaleX;
-    const double dy = this->ShiftY / this->ScaleY;
-    return std::sqrt(1.0 + dx * dx + dy * dy);
-  }
-  const glm::dvec3 eye = this->GetEyePoint(x, y, 1.0);
-  return std::sqrt(eye[0] * eye[0] + eye[1] * eye[1] + 1.0);
+  const glm::dvec2 tilt =
+    this->Parallel ? this->GetTilt() : glm::dvec2(this->GetEyePoint(x, y, 1.0));
+  return std::sqrt(glm::dot(tilt, tilt) + 1.0);
 }
 
 ViewRays TetrahedraView::GetRays() const
@@ -120,32 +251,27 @@ ViewRays TetrahedraView::GetRays() const
     matrix->SetElement(i / 4, i % 4, this->EyeFromMesh[i]);
   }
   matrix->Invert();
+  const auto column = [&matrix](int j)
+  {
+    return glm::dvec3(matrix->GetElement(0, j), matrix->GetElement(1, j), matrix->GetElement(2, j));
+  };
   ViewRays rays;
   rays.Viewpoint.IsParallel = this->Parallel;
+  rays.Viewpoint.Eye = column(3);
   // A shear bends the line of sight off the axis.
-  const double dx = this->Parallel ? this->ShiftX / this->ScaleX : 0.0;
-  const double dy = this->Parallel ? this->ShiftY / this->ScaleY : 0.0;
-  double length = 0.0;
-  for (int i = 0; i < 3; ++i)
-  {
-    rays.Right[i] = matrix->GetElement(i, 0);
-    rays.Up[i] = matrix->GetElement(i, 1);
-    rays.Viewpoint.Eye[i] = matrix->GetElement(i, 3);
-    rays.Viewpoint.Direction[i] = dx * rays.Right[i] + dy * rays.Up[i] - matrix->GetElement(i, 2);
-    length += rays.Viewpoint.Direction[i] * rays.Viewpoint.Direction[i];
-  }
-  length = std::sqrt(length);
-  for (int i = 0; i < 3; ++i)
-  {
-    rays.Viewpoint.Direction[i] /= length;
-    // The length of the direction and their lengths belong together in perspective only.
-    rays.Right[i] /= this->Parallel ? 1.0 : length;
-    rays.Up[i] /= this->Parallel ? 1.0 : length;
-  }
+  const glm::dvec2 tilt = this->Parallel ? this->GetTilt() : glm::dvec2(0.0);
+  const glm::dvec3 direction = tilt.x * column(0) + tilt.y * column(1) - column(2);
+  const double length = glm::length(direction);
+  rays.Viewpoint.Direction = direction / length;
+  // The length of the direction and their lengths belong together in perspective only.
+  const double size = this->Parallel ? 1.0 : length;
+  const double skew = this->SkewX / this->ScaleX;
+  rays.Right = column(0) / size;
+  rays.Up = (column(1) - skew * column(0)) / size;
   rays.HalfSize = { { 0.5 * this->Width / this->ScaleX, 0.5 * this->Height / this->ScaleY } };
   const glm::dvec3 middle =
     this->GetEyePoint(0.5 * this->Width, 0.5 * this->Height, this->Parallel ? 0.0 : 1.0);
-  rays.Center = { { middle[0], middle[1] } };
+  rays.Center = { { middle.x + skew * middle.y, middle.y } };
   rays.Width = this->Width;
   rays.Height = this->Height;
   return rays;
@@ -154,9 +280,11 @@ ViewRays TetrahedraView::GetRays() const
 bool TetrahedraView::operator==(const TetrahedraView& other) const
 {
   return this->Width == other.Width && this->Height == other.Height &&
-    this->Parallel == other.Parallel && this->Unit == other.Unit && this->Near == other.Near &&
-    this->Far == other.Far && this->EyeFromMesh == other.EyeFromMesh &&
-    this->GetPixelsFromEye() == other.GetPixelsFromEye();
+    this->Parallel == other.Parallel && this->Unit == other.Unit &&
+    this->EyeFromMesh == other.EyeFromMesh && this->NearPlane == other.NearPlane &&
+    this->FarPlane == other.FarPlane && this->ScaleX == other.ScaleX &&
+    this->SkewX == other.SkewX && this->ShiftX == other.ShiftX && this->OffsetX == other.OffsetX &&
+    this->ScaleY == other.ScaleY && this->ShiftY == other.ShiftY && this->OffsetY == other.OffsetY;
 }
 
 }

@@ -9,6 +9,10 @@
 #include <array>
 #include <string>
 
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
 class vtkRenderer;
 class vtkVolume;
 
@@ -24,6 +28,10 @@ namespace interlume
  * the larger the nearer. There v d is affine for an attribute v in perspective, and v itself in
  * parallel. Lengths are in units of the mesh's coordinates as they appear in the world, GetUnit()
  * long.
+ *
+ * The eye is the point where all view rays meet, and the axes are chosen by the matrix from world
+ * to clip coordinates alone: stereo, view shear, off-axis projection and the camera's user
+ * transforms move the eye or stretch the space between, and neither may change lengths.
  */
 class TetrahedraView
 {
@@ -42,6 +50,12 @@ public:
    */
   std::string Set(vtkRenderer* renderer, vtkVolume* volume, const TetrahedraMesh& mesh, int stride);
 
+  /**
+   * Returns the eye in the volume's coordinates, homogeneous with w >= 0: in parallel projection a
+   * point at infinity, where the view rays come from.
+   */
+  static std::array<double, 4> FindEye(vtkRenderer* renderer, vtkVolume* volume);
+
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
   bool IsParallel() const { return this->Parallel; }
@@ -59,12 +73,19 @@ public:
     }
     return eye;
   }
+  /// Returns eye coordinates, in units, of a point of the world with w = 1, of a direction with 0.
+  glm::dvec3 GetEyeOfWorld(const glm::dvec4& point) const
+  {
+    return { glm::dot(this->EyeFromWorld[0], point), glm::dot(this->EyeFromWorld[1], point),
+      glm::dot(this->EyeFromWorld[2], point) };
+  }
   /// Projects a point beyond the near plane.
   Projected Project(const glm::dvec3& eye) const
   {
     const double depth = this->Parallel ? eye[2] : -1.0 / eye[2];
     const double weight = this->Parallel ? 1.0 : depth;
-    return { (this->ScaleX * eye[0] + this->ShiftX * eye[2]) * weight + this->OffsetX,
+    return { (this->ScaleX * eye[0] + this->SkewX * eye[1] + this->ShiftX * eye[2]) * weight +
+        this->OffsetX,
       (this->ScaleY * eye[1] + this->ShiftY * eye[2]) * weight + this->OffsetY, depth };
   }
   /// Returns the eye coordinates of a pixel's point at a depth.
@@ -72,26 +93,35 @@ public:
   {
     const double z = this->Parallel ? depth : -1.0 / depth;
     const double weight = this->Parallel ? 1.0 : depth;
-    return { ((x - this->OffsetX) / weight - this->ShiftX * z) / this->ScaleX,
-      ((y - this->OffsetY) / weight - this->ShiftY * z) / this->ScaleY, z };
+    const double up = ((y - this->OffsetY) / weight - this->ShiftY * z) / this->ScaleY;
+    return { ((x - this->OffsetX) / weight - this->SkewX * up - this->ShiftX * z) / this->ScaleX,
+      up, z };
   }
-  /// Returns where the near plane is, on the axis; points with -z less than it are before it.
-  double GetNear() const { return this->Near; }
-  /// Returns where the far plane is; points with -z more than it are beyond it.
-  double GetFar() const { return this->Far; }
-  /// Returns the smallest and largest -z in the box that the coordinates of meshes are in.
-  std::array<double, 2> GetReach() const;
+
+  ///@{
+  /// Return planes in the mesh's coordinates, with a normal of unit length: points p with
+  /// dot(plane, (p, 1)) < 0 are before the near plane, beyond the far plane, or on the side of a
+  /// plane of the world that its normal does not point to.
+  const glm::dvec4& GetNearPlane() const { return this->NearPlane; }
+  const glm::dvec4& GetFarPlane() const { return this->FarPlane; }
+  glm::dvec4 GetPlane(const double* normal, const double* origin) const;
+  ///@}
 
   /// Returns the length of a line of sight between two depths, over the length between them along
   /// the axis.
   double GetSlant(double x, double y) const;
 
-  /// Returns the coefficients of depth = first + second * (value of the depth buffer, 0 to 1).
-  const std::array<double, 2>& GetDepthOfBuffer() const { return this->DepthOfBuffer; }
-  /// Returns the inverse: the value of the depth buffer of a depth.
-  double GetBufferOfDepth(double depth) const
+  /// Returns coefficients c of the depth at a pixel: c[0] + c[1] * (value of the depth buffer, 0 to
+  /// 1) + c[2] * x + c[3] * y. The last two are 0 unless the camera's user transform tilts depths.
+  const glm::dvec4& GetDepthOfBuffer() const { return this->DepthOfBuffer; }
+  double GetDepthOfBuffer(double x, double y, double value) const
   {
-    return (depth - this->DepthOfBuffer[0]) / this->DepthOfBuffer[1];
+    return glm::dot(this->DepthOfBuffer, glm::dvec4(1.0, value, x, y));
+  }
+  /// Returns the inverse: the value of the depth buffer of a depth at a pixel.
+  double GetBufferOfDepth(double x, double y, double depth) const
+  {
+    return (depth - this->GetDepthOfBuffer(x, y, 0.0)) / this->DepthOfBuffer[1];
   }
 
   /// Returns the lines of sight of the pixels, in the mesh's coordinates.
@@ -99,32 +129,45 @@ public:
 
   /// Returns the matrix from mesh to eye, as three rows of four.
   const std::array<double, 12>& GetEyeFromMesh() const { return this->EyeFromMesh; }
-  /// Returns the map from eye to pixels: scale, shift and offset of x, then of y, as Project() has
-  /// them.
-  std::array<double, 6> GetPixelsFromEye() const
-  {
-    return { { this->ScaleX, this->ShiftX, this->OffsetX, this->ScaleY, this->ShiftY,
-      this->OffsetY } };
-  }
+  /// Returns the rows of the matrix from mesh to what Project() divides by depth, then offsets: x
+  /// and y of pixels, and z of the eye.
+  std::array<double, 12> GetPixelsFromMesh() const;
+  glm::dvec2 GetPixelOffset() const { return { this->OffsetX, this->OffsetY }; }
+  /// Returns x and y of the eye point on a pixel's view ray where z is -1 in perspective and 0 in
+  /// parallel projection, as coefficients of the pixel's x, y, and 1.
+  std::array<glm::dvec3, 2> GetEyeOfPixels() const;
+  /// Returns the change of x and y of the eye point along a view ray in parallel projection, for a
+  /// unit of depth.
+  glm::dvec2 GetTilt() const;
 
   bool operator==(const TetrahedraView& other) const;
   bool operator!=(const TetrahedraView& other) const { return !(*this == other); }
 
 private:
+  struct Axes;
+  /// Sets everything that depends on the matrices from world and from mesh to clip coordinates,
+  /// given by their rows. Returns an error message, or an empty string on success.
+  std::string SetEye(glm::dmat4 world, glm::dmat4 mesh, const glm::dvec3& camera,
+    const std::array<double, 2>& halfSize);
+
   int Width = 0;
   int Height = 0;
   bool Parallel = false;
   double Unit = 1.0;
-  double Near = 0.0;
-  double Far = 0.0;
   std::array<double, 12> EyeFromMesh{};
+  /// The rows of the matrices from mesh to world and from world to eye.
+  glm::dmat4 WorldFromMesh{ 1.0 };
+  std::array<glm::dvec4, 3> EyeFromWorld{};
   double ScaleX = 1.0;
+  double SkewX = 0.0;
   double ShiftX = 0.0;
   double OffsetX = 0.0;
   double ScaleY = 1.0;
   double ShiftY = 0.0;
   double OffsetY = 0.0;
-  std::array<double, 2> DepthOfBuffer{};
+  glm::dvec4 NearPlane{};
+  glm::dvec4 FarPlane{};
+  glm::dvec4 DepthOfBuffer{};
 };
 
 }

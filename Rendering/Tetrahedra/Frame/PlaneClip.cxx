@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Frame/PlaneClip.h"
+
+#include "Common/Vectors.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+namespace interlume
+{
+
+namespace
+{
+/// The distance from a plane within which a point is on it. Mesh coordinates are of size 1.
+constexpr double ON_PLANE = 1e-12;
+
+constexpr std::uint32_t KEPT = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t DROPPED = KEPT - 1;
+constexpr std::uint32_t CUT = KEPT - 2;
+
+/// The number of planes with a bit for the points on their other side.
+constexpr std::size_t BITS = 31;
+
+double GetDistance(const glm::dvec4& plane, const double* point)
+{
+  return plane.x * point[0] + plane.y * point[1] + plane.z * point[2] + plane.w;
+}
+
+// Returns a number that is positive on one side of the plane through a, b, c.
+double GetSide(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& p)
+{
+  return glm::dot(p - a, glm::cross(b - a, c - a));
+}
+
+// Returns whether the eye is on the other side of the face opposite to the first of four points.
+bool IsBehindFace(const std::array<glm::dvec3, 4>& p, const Viewpoint& view)
+{
+  const double ofEye = view.IsParallel
+    ? -glm::dot(view.Direction, glm::cross(p[2] - p[1], p[3] - p[1]))
+    : GetSide(p[1], p[2], p[3], view.Eye);
+  return ofEye * GetSide(p[1], p[2], p[3], p[0]) < 0.0;
+}
+}
+
+void PlaneClip::Append(TetrahedraMesh& mesh, TetrahedraFields& fields,
+  const std::vector<Plane>& planes, const Viewpoint& view, const std::vector<std::uint32_t>* order)
+{
+  this->NumberClipped = 0;
+  this->Points = mesh.Points.size() / 3;
+  this->Tetrahedra = mesh.GetNumberOfTetrahedra();
+  this->Wholes.clear();
+  this->FindPlanes(mesh, planes);
+  if (this->IsActive())
+  {
+    this->Classify(mesh);
+    this->CutAll(mesh, fields, order ? &view : nullptr);
+    this->MakeOrder(order);
+  }
+}
+
+void PlaneClip::FindPlanes(const TetrahedraMesh& mesh, const std::vector<Plane>& planes)
+{
+  this->Planes.clear();
+  for (const Plane& plane : planes)
+  {
+    // Mesh coordinates are between -1 and 1.
+    if (plane.w >= std::abs(plane.x) + std::abs(plane.y) + std::abs(plane.z))
+    {
+      continue;
+    }
+    std::atomic<bool> hasOutside{ false };
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Points),
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType p = first; p < last && !hasOutside; ++p)
+        {
+          if (GetDistance(plane, mesh.GetPoint(static_cast<std::uint32_t>(p))) < -ON_PLANE)
+          {
+            hasOutside = true;
+          }
+        }
+      });
+    if (hasOutside)
+    {
+      this->Planes.push_back(plane);
+    }
+  }
+}
+
+void PlaneClip::Classify(const TetrahedraMesh& mesh)
+{
+  // Planes without a bit of their own set the last one, which drops nothing.
+  std::vector<std::uint32_t> outside(this->Points);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Points),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType p = first; p < last; ++p)
+      {
+        const double* point = mesh.GetPoint(static_cast<std::uint32_t>(p));
+        std::uint32_t bits = 0;
+        for (std::size_t i = 0; i < this->Planes.size(); ++i)
+        {
+          const bool isOutside = GetDistance(this->Planes[i], point) < -ON_PLANE;
+          bits |= isOutside ? 1u << std::min(i, BITS) : 0u;
+        }
+        outside[static_cast<std::size_t>(p)] = bits;
+      }
+    });
+  this->Fates.resize(this->Tetrahedra);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Tetrahedra),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType t = first; t < last; ++t)
+      {
+        const std::uint32_t* corners = mesh.GetCorners(static_cast<std::uint32_t>(t));
+        std::uint32_t any = 0;
+        std::uint32_t all = (1u << BITS) - 1u;
+        for (int k = 0; k < 4; ++k)
+        {
+          any |= outside[corners[k]];
+          all &= outside[corners[k]];
+        }
+        this->Fates[static_cast<std::size_t>(t)] = any == 0 ? KEPT : all != 0 ? DROPPED : CUT;
+      }
+    });
+}
+
+void PlaneClip::CutAll(TetrahedraMesh& mesh, TetrahedraFields& fields, const Viewpoint* view)
+{
+  this->Ranges.clear();
+  this->Parts.clear();
+  for (std::uint32_t t = 0; t < this->Tetrahedra; ++t)
+  {
+    if (this->Fates[t] != CUT)
+    {
+      continue;
+    }
+    Part whole{};
+    for (unsigned int k = 0; k < 4; ++k)
+    {
+      whole[k] = { mesh.GetCorners(t)[k], 1u << k };
+    }
+    const std::size_t begin = this->Parts.size();
+    this->Cut(mesh, fields, view, t, whole, 0);
+    this->Fates[t] = static_cast<std::uint32_t>(this->Ranges.size());
+    this->Ranges.push_back({ begin, this->Parts.size() });
+    ++this->NumberClipped;
+  }
+}
+
+void PlaneClip::Cut(TetrahedraMesh& mesh, TetrahedraFields& fields, const Viewpoint* view,
+  std::uint32_t tetrahedron, const Part& part, std::size_t plane)
+{
+  std::array<double, 4> distances{};
+  bool isCut = false;
+  for (; plane < this->Planes.size() && !isCut; ++plane)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      distances[k] = GetDistance(this->Planes[plane], mesh.GetPoint(part[k].Id));
+    }
+    isCut = *std::min_element(distances.begin(), distances.end()) < -ON_PLANE;
+  }
+  if (!isCut)
+  {
+    this->Parts.push_back(mesh.GetNumberOfTetrahedra());
+    this->AppendPart(mesh, fields, tetrahedron, part);
+    return;
+  }
+  const std::vector<Part> parts = Split(mesh, fields, part, distances);
+  std::vector<Range> ranges;
+  for (const Part& next : parts)
+  {
+    const std::size_t begin = this->Parts.size();
+    this->Cut(mesh, fields, view, tetrahedron, next, plane);
+    ranges.push_back({ begin, this->Parts.size() });
+  }
+  if (view && ranges.size() > 1)
+  {
+    this->Sort(mesh, *view, parts, ranges);
+  }
+}
+
+std::vector<PlaneClip::Part> PlaneClip::Split(TetrahedraMesh& mesh, TetrahedraFields& fields,
+  const Part& part, const std::array<double, 4>& distances)
+{
+  // Corners on the plane come first, those beyond it last.
+  std::array<int, 4> k{ { 0, 1, 2, 3 } };
+  const auto side = [&distances](int corner) {
+    return distances[corner] > ON_PLANE ? 1 : distances[corner] < -ON_PLANE ? 2 : 0;
+  };
+  std::stable_sort(k.begin(), k.end(), [&side](int a, int b) { return side(a) < side(b); });
+  const auto inside =
+    4 - std::count_if(k.begin(), k.end(), [&side](int c) { return side(c) == 2; });
+  if (inside == 0 || side(k[inside - 1]) == 0)
+  {
+    return {};
+  }
+  const auto corner = [&](int i) { return part[k[i]]; };
+  const auto cut = [&](int i, int j)
+  {
+    if (side(k[i]) == 0)
+    {
+      return corner(i);
+    }
+    const double share = distances[k[i]] / (distances[k[i]] - distances[k[j]]);
+    AppendPoint(mesh, fields, corner(i).Id, corner(j).Id, share);
+    return Corner{ static_cast<std::uint32_t>(mesh.Points.size() / 3 - 1),
+      corner(i).Support | corner(j).Support };
+  };
+  if (inside == 1)
+  {
+    return { { { corner(0), cut(0, 1), cut(0, 2), cut(0, 3) } } };
+  }
+  // The rest is a wedge: two triangles with three edges between them.
+  std::array<Corner, 6> w;
+  if (inside == 3)
+  {
+    w = { { corner(0), corner(1), corner(2), cut(0, 3), cut(1, 3), cut(2, 3) } };
+  }
+  else
+  {
+    w = { { corner(0), cut(0, 2), cut(0, 3), corner(1), cut(1, 2), cut(1, 3) } };
+  }
+  // A corner on the plane leaves the first of its tetrahedra without volume.
+  const auto onPlane = std::count_if(k.begin(), k.end(), [&side](int c) { return side(c) == 0; });
+  std::vector<Part> parts;
+  for (auto first = static_cast<std::size_t>(inside == 3 ? onPlane : 2 * onPlane); first < 3;
+       ++first)
+  {
+    parts.push_back({ { w[first], w[first + 1], w[first + 2], w[first + 3] } });
+  }
+  return parts;
+}
+
+void PlaneClip::Sort(const TetrahedraMesh& mesh, const Viewpoint& view,
+  const std::vector<Part>& parts, const std::vector<Range>& ranges)
+{
+  // Each part goes before the one ahead of it where the eye is beyond the face they share. A view
+  // ray that meets the first and the third passes the second between them.
+  std::vector<std::size_t> order{ 0 };
+  for (std::size_t i = 1; i < parts.size(); ++i)
+  {
+    std::array<glm::dvec3, 4> p{};
+    for (int k = 0; k < 4; ++k)
+    {
+      p[k] = glm::make_vec3(mesh.GetPoint(parts[i - 1][k].Id));
+    }
+    const auto before = std::find(order.begin(), order.end(), i - 1);
+    order.insert(IsBehindFace(p, view) ? before : order.end(), i);
+  }
+  const std::size_t begin = ranges.front().Begin;
+  const std::vector<std::uint32_t> unsorted(
+    this->Parts.begin() + static_cast<std::ptrdiff_t>(begin), this->Parts.end());
+  auto to = this->Parts.begin() + static_cast<std::ptrdiff_t>(begin);
+  for (std::size_t i : order)
+  {
+    to = std::copy(unsorted.begin() + static_cast<std::ptrdiff_t>(ranges[i].Begin - begin),
+      unsorted.begin() + static_cast<std::ptrdiff_t>(ranges[i].End - begin), to);
+  }
+}
+
+void PlaneClip::MakeOrder(const std::vector<std::uint32_t>* order)
+{
+  this->Order.clear();
+  const std::size_t number = order ? order->size() : this->Tetrahedra;
+  for (std::size_t i = 0; i < number; ++i)
+  {
+    const std::uint32_t tetrahedron = order ? (*order)[i] : static_cast<std::uint32_t>(i);
+    const std::uint32_t fate = this->Fates[tetrahedron];
+    if (fate == KEPT)
+    {
+      this->Order.push_back(tetrahedron);
+    }
+    else if (fate != DROPPED)
+    {
+      const Range& range = this->Ranges[fate];
+      this->Order.insert(this->Order.end(),
+        this->Parts.begin() + static_cast<std::ptrdiff_t>(range.Begin),
+        this->Parts.begin() + static_cast<std::ptrdiff_t>(range.End));
+    }
+  }
+}
+
+void PlaneClip::AppendPart(
+  TetrahedraMesh& mesh, TetrahedraFields& fields, std::uint32_t tetrahedron, const Part& part)
+{
+  for (const Corner& corner : part)
+  {
+    mesh.Corners.push_back(corner.Id);
+  }
+  this->Wholes.push_back(tetrahedron);
+  if (!mesh.Cells.empty())
+  {
+    mesh.Cells.push_back(mesh.Cells[tetrahedron]);
+  }
+  if (!fields.Layers.empty())
+  {
+    fields.Layers.push_back(fields.Layers[tetrahedron]);
+  }
+  if (fields.Kind == TetrahedraFields::CELL_COLORS)
+  {
+    fields.Colors.push_back(fields.Colors[tetrahedron]);
+  }
+  if (!fields.Faces.empty())
+  {
+    // A face of the part lies in the whole's face opposite k if none of its corners needs corner k.
+    unsigned int faces = 0;
+    for (int face = 0; face < 4; ++face)
+    {
+      unsigned int support = 0;
+      for (int k = 0; k < 4; ++k)
+      {
+        support |= k == face ? 0u : part[k].Support;
+      }
+      faces |= (fields.Faces[tetrahedron] & ~support & 15u) ? 1u << face : 0u;
+    }
+    fields.Faces.push_back(static_cast<unsigned char>(faces));
+  }
+}
+
+void PlaneClip::AppendPoint(
+  TetrahedraMesh& mesh, TetrahedraFields& fields, std::uint32_t a, std::uint32_t b, double share)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    const double from = mesh.GetPoint(a)[i];
+    mesh.Points.push_back(from + share * (mesh.GetPoint(b)[i] - from));
+  }
+  const auto t = static_cast<float>(share);
+  for (std::vector<float>* values : { &fields.Scalars, &fields.DeltaT })
+  {
+    if (!values->empty())
+    {
+      values->push_back((*values)[a] + t * ((*values)[b] - (*values)[a]));
+    }
+  }
+  const auto append = [a, b, t](auto& values)
+  {
+    if (!values.empty())
+    {
+      auto value = values[a];
+      for (std::size_t i = 0; i < value.size(); ++i)
+      {
+        value[i] += t * (values[b][i] - value[i]);
+      }
+      values.push_back(value);
+    }
+  };
+  if (fields.Kind == TetrahedraFields::POINT_COLORS)
+  {
+    append(fields.Colors);
+  }
+  append(fields.Normals);
+  append(fields.TextureCoordinates);
+}
+
+void PlaneClip::Remove(TetrahedraMesh& mesh, TetrahedraFields& fields)
+{
+  if (!this->IsActive())
+  {
+    return;
+  }
+  const auto shorten = [](auto& values, std::size_t size)
+  {
+    if (values.size() > size)
+    {
+      values.resize(size);
+    }
+  };
+  this->Planes.clear();
+  mesh.Points.resize(3 * this->Points);
+  mesh.Corners.resize(4 * static_cast<std::size_t>(this->Tetrahedra));
+  shorten(mesh.Cells, this->Tetrahedra);
+  shorten(fields.Layers, this->Tetrahedra);
+  shorten(fields.Faces, this->Tetrahedra);
+  shorten(fields.Normals, this->Points);
+  shorten(fields.TextureCoordinates, this->Points);
+  shorten(fields.Scalars, this->Points);
+  shorten(fields.DeltaT, this->Points);
+  shorten(
+    fields.Colors, fields.Kind == TetrahedraFields::CELL_COLORS ? this->Tetrahedra : this->Points);
+}
+
+}

@@ -1,0 +1,700 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every kind of camera: stereo, sheared, off-axis, with user transforms. Silhouettes against those
+// of vtkPolyDataMapper, colors of slabs in order and cut by planes and surfaces against formulas,
+// selection, lit boundaries.
+#include "Pictures/PictureCases.h"
+#include "Pictures/VolumeStage.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Tetrahedra/MapperPicture.h"
+#include "Tetrahedra/PixelSegments.h"
+#include "View/TetrahedraView.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCubeSource.h"
+#include "vtkDataObject.h"
+#include "vtkHardwareSelector.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkTransform.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iostream>
+
+namespace
+{
+
+using namespace reference;
+using Mapper = vtkTimeWeightedTetrahedraMapper;
+
+constexpr std::array<double, 6> Box = { { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 } };
+constexpr int Slabs = 3;
+constexpr double Extinctions[Slabs] = { 2.0, 0.7, 4.0 };
+constexpr Point3 Colors[Slabs] = { { { 1.0, 0.1, 0.0 } }, { { 0.0, 0.9, 0.3 } },
+  { { 0.2, 0.0, 1.0 } } };
+/// Nearly along the planes between slabs, which the two eyes see from different sides.
+constexpr Point3 Along = { { 0.01, -0.35, 1.0 } };
+
+/// A camera that looks at the unit cube, in a window that may be stereo.
+struct CameraCase
+{
+  std::string Name;
+  std::function<void(vtkCamera*)> Change;
+  /// 0 without stereo.
+  int StereoType = 0;
+  /// Whether vtkPolyDataMapper shades with true lengths and angles.
+  bool IsRigid = true;
+  /// Whether near or far plane cut the cube, which opens surfaces.
+  bool IsCut = false;
+};
+
+vtkSmartPointer<vtkTransform> MakeTransform(const std::function<void(vtkTransform*)>& change)
+{
+  auto transform = vtkSmartPointer<vtkTransform>::New();
+  change(transform);
+  return transform;
+}
+
+/// The screen of an off-axis camera in the view coordinates of the camera, as a parallelogram.
+void SetScreen(vtkCamera* camera, const Point3& middle, const Point3& right, const Point3& up)
+{
+  Point3 corners[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    corners[0][k] = middle[k] - right[k] - up[k];
+    corners[1][k] = middle[k] + right[k] - up[k];
+    corners[2][k] = middle[k] + right[k] + up[k];
+  }
+  camera->SetScreenBottomLeft(corners[0].data());
+  camera->SetScreenBottomRight(corners[1].data());
+  camera->SetScreenTopRight(corners[2].data());
+  camera->UseOffAxisProjectionOn();
+}
+
+const std::vector<CameraCase>& AllCameras()
+{
+  const auto nothing = [](vtkCamera*) {};
+  const auto wide = [](vtkCamera* camera) { camera->SetEyeAngle(12.0); };
+  static const std::vector<CameraCase> cameras = {
+    { "plain", nothing },
+    { "left eye", nothing, VTK_STEREO_LEFT },
+    { "right eye", nothing, VTK_STEREO_RIGHT },
+    { "left eye, wide", wide, VTK_STEREO_LEFT },
+    { "right eye, wide", wide, VTK_STEREO_RIGHT },
+    { "sheared", [](vtkCamera* camera) { camera->SetViewShear(0.2, -0.15, 0.7); } },
+    { "sheared, left eye", [](vtkCamera* camera) { camera->SetViewShear(-0.1, 0.2, 1.2); },
+      VTK_STEREO_LEFT },
+    { "window center", [](vtkCamera* camera) { camera->SetWindowCenter(0.3, -0.2); } },
+    { "window center, right eye", [](vtkCamera* camera) { camera->SetWindowCenter(-0.3, 0.2); },
+      VTK_STEREO_RIGHT },
+    { "view angle", [](vtkCamera* camera) { camera->SetViewAngle(35.0); }, VTK_STEREO_LEFT },
+    { "horizontal view angle",
+      [](vtkCamera* camera)
+      {
+        camera->UseHorizontalViewAngleOn();
+        camera->SetViewAngle(30.0);
+      } },
+    { "mirrored",
+      [](vtkCamera* camera) {
+        camera->SetUserTransform(MakeTransform([](vtkTransform* t) { t->Scale(-1.0, 1.0, 1.0); }));
+      } },
+    { "upside down, left eye",
+      [](vtkCamera* camera)
+      { camera->SetUserTransform(MakeTransform([](vtkTransform* t) { t->RotateZ(180.0); })); },
+      VTK_STEREO_LEFT },
+    { "turned picture",
+      [](vtkCamera* camera)
+      {
+        camera->SetUserTransform(MakeTransform(
+          [](vtkTransform* t)
+          {
+            t->Translate(0.1, 0.05, 0.0);
+            t->RotateZ(33.0);
+            t->Scale(0.8, 1.1, 1.0);
+          }));
+      } },
+    { "tilted depth",
+      [](vtkCamera* camera)
+      {
+        vtkNew<vtkMatrix4x4> matrix;
+        matrix->SetElement(2, 0, 0.1);
+        matrix->SetElement(2, 1, -0.05);
+        matrix->SetElement(2, 2, 0.7);
+        camera->SetUserTransform(MakeTransform([&](vtkTransform* t) { t->SetMatrix(matrix); }));
+      } },
+    { "user view transform",
+      [](vtkCamera* camera)
+      {
+        camera->SetUserViewTransform(MakeTransform(
+          [](vtkTransform* t)
+          {
+            t->RotateZ(20.0);
+            t->Scale(1.2, 0.7, 0.9);
+          }));
+      },
+      0, false },
+    { "model transform, right eye",
+      [](vtkCamera* camera)
+      {
+        camera->SetModelTransformMatrix(MakeTransform(
+          [](vtkTransform* t)
+          {
+            t->Translate(0.1, -0.1, 0.2);
+            t->RotateY(10.0);
+          })->GetMatrix());
+      },
+      VTK_STEREO_RIGHT },
+    { "cut by near and far plane, left eye",
+      [](vtkCamera* camera)
+      {
+        const double distance = camera->GetDistance();
+        camera->SetClippingRange(distance - 0.4, distance + 0.3);
+      },
+      VTK_STEREO_LEFT, false, true },
+  };
+  return cameras;
+}
+
+/// Cameras with a screen, which look at the cube in view coordinates.
+const std::vector<CameraCase>& AllScreens()
+{
+  static const std::vector<CameraCase> cameras = {
+    { "off-axis",
+      [](vtkCamera* camera)
+      {
+        const double z = -camera->GetDistance();
+        SetScreen(camera, { { 0.3, -0.2, z } }, { { 1.2, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } });
+      } },
+    { "off-axis, right eye, turned screen",
+      [](vtkCamera* camera)
+      {
+        camera->SetLeftEye(0);
+        camera->SetEyeSeparation(1.0);
+        const double z = -camera->GetDistance();
+        SetScreen(camera, { { 0.1, 0.1, z } }, { { 1.2, 0.0, 0.4 } }, { { 0.0, 1.0, 0.0 } });
+      } },
+    { "off-axis, stereo",
+      [](vtkCamera* camera)
+      {
+        camera->SetEyeSeparation(1.5);
+        const double z = -camera->GetDistance();
+        SetScreen(camera, { { -0.1, 0.1, z } }, { { 1.2, 0.0, 0.0 } }, { { 0.0, 0.9, 0.3 } });
+      },
+      VTK_STEREO_LEFT },
+  };
+  return cameras;
+}
+
+/// The cube in slabs of one color each, in front of a camera.
+class Scene
+{
+public:
+  Scene(const CameraCase& what, bool parallel, bool isScreen)
+    : Case(what)
+    , Grid(MakeBox({ { Slabs, 2, 4 } }))
+    , Stage(std::array<int, 2>{ { 88, 72 } })
+    , Camera(LookAt(this->Grid, Along, parallel))
+  {
+    AddSlabs(this->Grid, "slab", 0, Slabs);
+    if (isScreen)
+    {
+      // The volume is moved instead of the camera.
+      vtkNew<vtkMatrix4x4> place;
+      place->DeepCopy(this->Camera->GetViewTransformMatrix());
+      const double distance = this->Camera->GetDistance();
+      this->Camera->SetPosition(0.0, 0.0, 0.0);
+      this->Camera->SetFocalPoint(0.0, 0.0, -distance);
+      this->Camera->SetViewUp(0.0, 1.0, 0.0);
+      this->Stage.GetVolume()->SetUserMatrix(place);
+    }
+    what.Change(this->Camera);
+    this->Stage.SetCamera(this->Camera);
+    if (what.StereoType != 0)
+    {
+      this->Stage.GetWindow()->SetStereoType(what.StereoType);
+      this->Stage.GetWindow()->StereoRenderOn();
+    }
+    std::vector<FunctionNode> nodes;
+    for (int slab = 0; slab < Slabs; ++slab)
+    {
+      nodes.push_back({ static_cast<double>(slab), Colors[slab], Extinctions[slab] });
+    }
+    this->Property = MakeProperty(nodes);
+  }
+
+  void SetMapper(Mapper* mapper)
+  {
+    mapper->SetInputData(static_cast<vtkDataSet*>(this->Grid));
+    mapper->SetScalarMode(VTK_SCALAR_MODE_USE_CELL_FIELD_DATA);
+    mapper->SelectScalarArray("slab");
+    mapper->AutoAdjustLevelOfDetailOff();
+    this->Stage.SetVolume(mapper, this->Property);
+  }
+
+  RgbaPicture Draw()
+  {
+    // The camera learns of stereo when the window itself is drawn.
+    this->Stage.Render();
+    return this->Stage.Capture(1);
+  }
+
+  vtkSmartPointer<vtkActor> AddSurface(vtkAlgorithm* source)
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(source->GetOutputPort());
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
+    actor->GetProperty()->LightingOff();
+    actor->SetUserMatrix(this->Stage.GetVolume()->GetUserMatrix());
+    this->Stage.AddActor(actor);
+    return actor;
+  }
+
+  CameraCase Case;
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  VolumeStage Stage;
+  vtkSmartPointer<vtkCamera> Camera;
+  vtkSmartPointer<vtkVolumeProperty> Property;
+};
+
+/// The slabs over each other in the order in which the segment passes them.
+std::array<double, 4> ExpectSlabs(const PixelSegment& segment, vtkVolume* volume)
+{
+  struct Piece
+  {
+    double From;
+    double Length;
+    int Slab;
+  };
+  std::vector<Piece> pieces;
+  for (int slab = 0; slab < Slabs; ++slab)
+  {
+    PixelSegment part = segment;
+    std::array<double, 6> box = Box;
+    box[0] = static_cast<double>(slab) / Slabs;
+    box[1] = static_cast<double>(slab + 1) / Slabs;
+    part.ClipToBox(box, volume);
+    if (!part.IsEmpty())
+    {
+      pieces.push_back({ part.GetFrom(), part.GetLength(), slab });
+    }
+  }
+  std::sort(
+    pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.From < b.From; });
+  std::array<double, 4> color = { { 0.0, 0.0, 0.0, 0.0 } };
+  for (const Piece& piece : pieces)
+  {
+    const double alpha = -std::expm1(-Extinctions[piece.Slab] * piece.Length) * (1.0 - color[3]);
+    for (int c = 0; c < 3; ++c)
+    {
+      color[c] += alpha * Colors[piece.Slab][c];
+    }
+    color[3] += alpha;
+  }
+  return color;
+}
+
+/// Compares all pixels with the slabs of their segments, which \a clip may cut. With OpenGL an edge
+/// of a tetrahedron can be on the other side of a pixel's center.
+void CompareSlabs(Check& check, Scene& scene, const RgbaPicture& picture, const std::string& name,
+  const std::function<void(PixelSegment&)>& clip = {})
+{
+  const bool isSoftware = name.find("software") == 0;
+  const PixelSegments segments(scene.Stage.GetRenderer());
+  double largest = 0.0;
+  int seen = 0;
+  int different = 0;
+  for (int j = 0; j < picture.Height; ++j)
+  {
+    for (int i = 0; i < picture.Width; ++i)
+    {
+      PixelSegment segment = segments.Get(i, j);
+      if (clip)
+      {
+        clip(segment);
+      }
+      const std::array<double, 4> expected = ExpectSlabs(segment, scene.Stage.GetVolume());
+      seen += expected[3] > 0.1 ? 1 : 0;
+      double error = 0.0;
+      // Something opaque has an alpha of its own.
+      for (int c = 0; c < (clip ? 3 : 4); ++c)
+      {
+        const double distance = std::abs(picture.At(i, j)[c] - expected[c]);
+        error = std::isfinite(distance) ? std::max(error, distance) : 1e9;
+      }
+      different += error > 1e-3 ? 1 : 0;
+      largest = std::max(largest, error);
+    }
+  }
+  check.That(seen > 1000, name + ": " + std::to_string(seen) + " pixels of the cube are seen");
+  check.That(
+    different <= (isSoftware ? 0 : 4), name + ": " + std::to_string(different) + " pixels differ");
+  check.Near(largest, 0.0, !isSoftware ? 1e-2 : clip ? 1e-3 : 2e-5, name, 1.0);
+}
+
+/// Draws the volume by each path and shader.
+void ForEachPath(const std::function<void(Mapper*, const std::string&)>& action)
+{
+  for (int path : AllRenderPaths())
+  {
+    const bool isSoftware = path == Mapper::SOFTWARE_PATH;
+    for (int shader : { Mapper::GEOMETRY_SHADER, Mapper::VERTEX_SHADER })
+    {
+      if (isSoftware && shader == Mapper::VERTEX_SHADER)
+      {
+        continue;
+      }
+      vtkNew<Mapper> mapper;
+      mapper->SetRenderPath(path);
+      mapper->SetSilhouetteShader(shader);
+      action(
+        mapper, GetPathName(path) + (shader == Mapper::VERTEX_SHADER ? ", vertex shader" : ""));
+    }
+  }
+}
+
+void TestSlabs(Check& check, Scene& scene)
+{
+  ForEachPath(
+    [&](Mapper* mapper, const std::string& path)
+    {
+      scene.SetMapper(mapper);
+      CompareSlabs(check, scene, scene.Draw(), path + ": slabs");
+    });
+}
+
+/// VTK's own mapper covers the same pixels with the cube's surface.
+void TestSilhouette(Check& check, Scene& scene)
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->SetBounds(Box.data());
+  const auto surface = scene.AddSurface(cube);
+  scene.Stage.GetVolume()->VisibilityOff();
+  const RgbaPicture expected = scene.Draw();
+  surface->VisibilityOff();
+  scene.Stage.GetVolume()->VisibilityOn();
+  ForEachPath(
+    [&](Mapper* mapper, const std::string& path)
+    {
+      scene.SetMapper(mapper);
+      const RgbaPicture picture = scene.Draw();
+      int covered = 0;
+      int different = 0;
+      for (std::size_t i = 3; i < picture.Values.size(); i += 4)
+      {
+        covered += expected.Values[i] > 0.5 ? 1 : 0;
+        // Edges of the cube may pass a pixel's center.
+        different += (expected.Values[i] > 0.5) != (picture.Values[i] > 1e-5) ? 1 : 0;
+      }
+      check.That(covered > 800, path + ": the surface is seen");
+      check.That(different <= 3,
+        path + ": silhouettes differ in " + std::to_string(different) + " of " +
+          std::to_string(covered) + " pixels");
+    });
+}
+
+/// An opaque plane through the cube.
+void TestOpaque(Check& check, Scene& scene)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-9.0, -9.0, 0.2);
+  plane->SetPoint1(9.0, -9.0, 0.5);
+  plane->SetPoint2(-9.0, 9.0, 0.4);
+  const auto surface = scene.AddSurface(plane);
+  surface->GetProperty()->SetColor(0.0, 0.0, 0.0);
+  plane->Update();
+  double corner[4];
+  double sides[2][4];
+  vtkMatrix4x4* place = scene.Stage.GetVolume()->GetMatrix();
+  const auto move = [place](const double* point, double* moved)
+  {
+    const double whole[4] = { point[0], point[1], point[2], 1.0 };
+    place->MultiplyPoint(whole, moved);
+  };
+  move(plane->GetOrigin(), corner);
+  move(plane->GetPoint1(), sides[0]);
+  move(plane->GetPoint2(), sides[1]);
+  for (double* side : sides)
+  {
+    vtkMath::Subtract(side, corner, side);
+  }
+  Point3 normal;
+  vtkMath::Cross(sides[0], sides[1], normal.data());
+  const Point3 origin = { { corner[0], corner[1], corner[2] } };
+  ForEachPath(
+    [&](Mapper* mapper, const std::string& path)
+    {
+      scene.SetMapper(mapper);
+      CompareSlabs(check, scene, scene.Draw(), path + ": cut by a surface",
+        [&](PixelSegment& segment)
+        {
+          const Point3 front = segment.GetFront();
+          Point3 offset;
+          vtkMath::Subtract(front.data(), origin.data(), offset.data());
+          const double side = vtkMath::Dot(normal.data(), offset.data()) < 0.0 ? -1.0 : 1.0;
+          segment.Clip({ { side * normal[0], side * normal[1], side * normal[2] } }, origin);
+        });
+    });
+  surface->VisibilityOff();
+}
+
+/// The cell that a selector finds at some pixels is the one that the segment enters first.
+void TestSelection(Check& check, Scene& scene)
+{
+  vtkNew<Mapper> mapper;
+  scene.SetMapper(mapper);
+  scene.Stage.Render();
+  const PixelSegments segments(scene.Stage.GetRenderer());
+  vtkNew<vtkMatrix4x4> inverse;
+  vtkMatrix4x4::Invert(scene.Stage.GetVolume()->GetMatrix(), inverse);
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Stage.GetRenderer());
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  selector->SetArea(0, 0, 87, 71);
+  selector->CaptureBuffers();
+  int found = 0;
+  for (unsigned int j = 0; j < 72; j += 3)
+  {
+    for (unsigned int i = 0; i < 88; i += 3)
+    {
+      PixelSegment segment = segments.Get(static_cast<int>(i), static_cast<int>(j));
+      segment.ClipToBox(Box, scene.Stage.GetVolume());
+      const unsigned int pixel[2] = { i, j };
+      const vtkHardwareSelector::PixelInformation seen = selector->GetPixelInformation(pixel);
+      if (segment.GetLength() < 1e-4)
+      {
+        check.That(segment.GetLength() > 0.0 || !seen.Valid, "selection: beside the cube");
+        continue;
+      }
+      check.That(seen.Valid, "selection: where the cube is");
+      if (!seen.Valid)
+      {
+        continue;
+      }
+      ++found;
+      // Just behind the entry, in the volume's coordinates.
+      const Point3 entry =
+        segment.At(segment.GetFrom() + 1e-6 * (segment.GetTo() - segment.GetFrom()));
+      double point[4] = { entry[0], entry[1], entry[2], 1.0 };
+      inverse->MultiplyPoint(point, point);
+      int subId = 0;
+      double parametric[3];
+      double closest[3];
+      double distance = 0.0;
+      double weights[4];
+      scene.Grid->GetCell(seen.AttributeID)
+        ->EvaluatePosition(point, closest, subId, parametric, distance, weights);
+      check.That(distance < 1e-8, "selection: the first cell");
+    }
+  }
+  check.That(found > 100, "selection: " + std::to_string(found) + " pixels");
+}
+
+/// The boundary under a light in the world is shaded as vtkPolyDataMapper shades it.
+void TestLitBoundary(Check& check, Scene& scene)
+{
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  double middle[4] = { 2.0, 1.5, -2.0, 1.0 };
+  scene.Stage.GetVolume()->GetMatrix()->MultiplyPoint(middle, middle);
+  light->SetPosition(middle);
+  light->PositionalOn();
+  light->SetConeAngle(180.0);
+  scene.Stage.SetLights({ light });
+  vtkNew<vtkCubeSource> cube;
+  cube->SetBounds(Box.data());
+  cube->Update();
+  vtkNew<vtkPolyData> face;
+  // Triangles of the cube's nearest face, as the tetrahedra have them.
+  vtkNew<vtkCellArray> triangles;
+  for (vtkIdType cell = 0; cell < scene.Grid->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    scene.Grid->GetCellPoints(cell, size, corners);
+    for (int k = 0; k < 4; ++k)
+    {
+      vtkIdType ids[3];
+      bool isFace = true;
+      for (int c = 0, n = 0; c < 4; ++c)
+      {
+        if (c != k)
+        {
+          isFace = isFace && scene.Grid->GetPoint(corners[c])[2] == 0.0;
+          ids[n++] = corners[c];
+        }
+      }
+      if (isFace)
+      {
+        triangles->InsertNextCell(3, ids);
+      }
+    }
+  }
+  face->SetPoints(scene.Grid->GetPoints());
+  face->SetPolys(triangles);
+  vtkNew<vtkProperty> property;
+  property->SetColor(0.9, 0.8, 0.7);
+  property->SetOpacity(1.0);
+  property->SetAmbient(0.1);
+  property->SetDiffuse(0.8);
+  vtkNew<vtkPolyDataMapper> peer;
+  peer->SetInputData(face);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(peer);
+  actor->SetProperty(property);
+  actor->SetUserMatrix(scene.Stage.GetVolume()->GetUserMatrix());
+  scene.Stage.AddActor(actor);
+  scene.Stage.GetVolume()->VisibilityOff();
+  const RgbaPicture expected = scene.Draw();
+  actor->VisibilityOff();
+  scene.Stage.GetVolume()->VisibilityOn();
+  ForEachPath(
+    [&](Mapper* mapper, const std::string& path)
+    {
+      scene.SetMapper(mapper);
+      mapper->SetBlendMode(Mapper::COMPOSITE_BLEND);
+      mapper->SetBoundaryData(face);
+      mapper->SetBoundaryProperty(property);
+      const RgbaPicture picture = scene.Draw();
+      double largest = 0.0;
+      int seen = 0;
+      for (int j = 0; j < picture.Height; ++j)
+      {
+        for (int i = 0; i < picture.Width; ++i)
+        {
+          const double* wanted = expected.At(i, j);
+          if (wanted[3] > 0.5 && picture.At(i, j)[3] > 0.9999)
+          {
+            ++seen;
+            for (int c = 0; c < 3; ++c)
+            {
+              largest = std::max(largest, std::abs(picture.At(i, j)[c] - wanted[c]));
+            }
+          }
+        }
+      }
+      check.That(seen > 800, path + ": the boundary is seen in " + std::to_string(seen));
+      check.Near(largest, 0.0, 2e-3, path + ": lit boundary", 1.0);
+    });
+}
+
+/// The eye by which processes order their pieces is where VTK moves it to.
+void TestEye(Check& check, bool isLeft)
+{
+  check.SetContext(isLeft ? "eye, left" : "eye, right");
+  Scene scene({ "", [](vtkCamera* camera) { camera->SetEyeAngle(7.0); },
+                isLeft ? VTK_STEREO_LEFT : VTK_STEREO_RIGHT },
+    false, false);
+  scene.Stage.GetVolume()->SetScale(2.0, 1.0, 0.5);
+  vtkNew<Mapper> mapper;
+  scene.SetMapper(mapper);
+  scene.Stage.Render();
+  const std::array<double, 4> eye =
+    interlume::TetrahedraView::FindEye(scene.Stage.GetRenderer(), scene.Stage.GetVolume());
+  check.That(eye[3] > 0.0, "w is positive");
+  const double aside = (isLeft ? -1.0 : 1.0) * scene.Camera->GetDistance() *
+    std::tan(vtkMath::RadiansFromDegrees(3.5));
+  const double scale[3] = { 2.0, 1.0, 0.5 };
+  for (int k = 0; k < 3; ++k)
+  {
+    const double expected = scene.Camera->GetPosition()[k] +
+      aside * scene.Camera->GetViewTransformMatrix()->GetElement(0, k);
+    check.Near(scale[k] * eye[k] / eye[3], expected, 1e-9, "the eye", 1.0);
+  }
+}
+
+/// Windows that show both eyes at once, against vtkPolyDataMapper.
+void TestBothEyes(Check& check, int type)
+{
+  check.SetContext("both eyes, type " + std::to_string(type));
+  Scene scene({ "", [](vtkCamera*) {}, type }, false, false);
+  scene.Property = MakeProperty({ { 0.0, { { 1.0, 1.0, 1.0 } }, 1e6 } });
+  vtkNew<vtkCubeSource> cube;
+  cube->SetBounds(Box.data());
+  const auto surface = scene.AddSurface(cube);
+  const auto read = [&scene]()
+  {
+    scene.Stage.Render();
+    vtkNew<vtkUnsignedCharArray> pixels;
+    scene.Stage.GetWindow()->GetPixelData(0, 0, 87, 71, 0, pixels);
+    return std::vector<unsigned char>(
+      pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues());
+  };
+  scene.Stage.GetVolume()->VisibilityOff();
+  const std::vector<unsigned char> expected = read();
+  surface->VisibilityOff();
+  scene.Stage.GetVolume()->VisibilityOn();
+  ForEachPath(
+    [&](Mapper* mapper, const std::string& path)
+    {
+      scene.SetMapper(mapper);
+      const std::vector<unsigned char> found = read();
+      int different = 0;
+      int covered = 0;
+      for (std::size_t i = 0; i < found.size() && i < expected.size(); ++i)
+      {
+        covered += expected[i] > 128 ? 1 : 0;
+        different += std::abs(found[i] - expected[i]) > 2 ? 1 : 0;
+      }
+      check.That(covered > 1000, path + ": something is seen");
+      check.That(different <= 9, path + ": " + std::to_string(different) + " channels differ");
+    });
+}
+
+void TestCamera(Check& check, const CameraCase& what, bool parallel, bool isScreen)
+{
+  check.SetContext(what.Name + (parallel ? ", parallel" : ", perspective"));
+  Scene scene(what, parallel, isScreen);
+  TestSlabs(check, scene);
+  TestSelection(check, scene);
+  if (!what.IsCut)
+  {
+    TestSilhouette(check, scene);
+  }
+  TestOpaque(check, scene);
+  if (what.IsRigid)
+  {
+    TestLitBoundary(check, scene);
+  }
+}
+
+}
+
+int TestTetrahedraMapperCameras(int, char*[])
+{
+  Check check;
+  for (const CameraCase& what : AllCameras())
+  {
+    for (bool parallel : { false, true })
+    {
+      TestCamera(check, what, parallel, false);
+    }
+  }
+  for (const CameraCase& what : AllScreens())
+  {
+    TestCamera(check, what, false, true);
+  }
+  TestEye(check, true);
+  TestEye(check, false);
+  for (int type :
+    { VTK_STEREO_RED_BLUE, VTK_STEREO_INTERLACED, VTK_STEREO_SPLITVIEWPORT_HORIZONTAL })
+  {
+    TestBothEyes(check, type);
+  }
+  return check.Result();
+}
