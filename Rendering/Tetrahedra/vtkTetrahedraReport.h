@@ -36,7 +36,7 @@ struct INTERLUMETETRAHEDRA_EXPORT vtkTetrahedraReport
   std::string Features;
 
   /// The numbers of tetrahedra of the input, of those drawn (in view, level of detail applied), and
-  /// of those cut by the near plane.
+  /// of those cut by the near plane or a clipping plane.
   vtkIdType Tetrahedra = 0;
   vtkIdType TetrahedraDrawn = 0;
   vtkIdType TetrahedraClipped = 0;

@@ -308,6 +308,7 @@ void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* v
   }
   request.Grid = hasGrid ? grid : nullptr;
   request.Blend = this->BlendMode;
+  request.ClippingPlanes = this->ClippingPlanes;
   request.Boundary = vtkDataSet::SafeDownCast(
     this->GetNumberOfInputConnections(1) > 0 ? this->GetExecutive()->GetInputData(1, 0) : nullptr);
   std::string error = hasGrid ? this->FindArrays(grid, request.Arrays) : std::string();

@@ -64,7 +64,10 @@ struct TetrahedraArrays;
  * a pixel at the corner of a squashed mesh (to 0.78). The software path has none of that.
  *
  * Opaque props occlude: a segment that runs into one is cut there, and so is one that runs into the
- * far plane. Each tetrahedron with a vertex before the near plane is clipped. Selection
+ * far plane. Each tetrahedron with a vertex before the near plane is clipped, and so is each with a
+ * vertex on the far side of a clipping plane (AddClippingPlane; planes of the world, any number):
+ * values and colors are those at the cut, and boundary triangles end there. Every kind of camera is
+ * drawn as VTK projects it: stereo, view shear, off-axis, with user transforms. Selection
  * (vtkHardwareSelector) finds the first tetrahedron on a line of sight that is not wholly
  * transparent. Translucent polygons other than boundary triangles are behind the volume wherever
  * they are: UseDepthPeelingForVolumes is not supported, is warned of once, and draws the picture
@@ -81,7 +84,8 @@ struct TetrahedraArrays;
  * to be laid over each other in order: graphics cards are faster at that.
  *
  * Errors (vtkErrorMacro, nothing drawn): cells that are no tetrahedra, missing scalars, an array
- * for Dt or layers that is named and missing, a wrong number of components. Tetrahedra with NaN or
+ * for Dt or layers that is named and missing, a wrong number of components, a clipping plane without
+ * a normal. Tetrahedra with NaN or
  * infinity are left out and counted in GetReport().
  */
 class INTERLUMETETRAHEDRA_EXPORT vtkTimeWeightedTetrahedraMapper
