@@ -13,6 +13,8 @@
 #include "vtkDataArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -75,11 +77,13 @@ public:
 
   PictureCase What;
   vtkSmartPointer<vtkPolyData> Boundary;
+  vtkNew<vtkPlaneCollection> Planes;
 
 private:
   void Setup(Mapper* mapper)
   {
     Configure(mapper, this->What);
+    mapper->SetClippingPlanes(this->Planes);
     mapper->SetRenderPath(this->Path);
     mapper->SetBoundaryData(this->Boundary);
     mapper->AutoAdjustLevelOfDetailOff();
@@ -117,6 +121,46 @@ void CopyGrid(Scene& scene)
   vtkNew<vtkUnstructuredGrid> copy;
   copy->DeepCopy(scene.GetGrid());
   scene.What.Grid = copy;
+}
+
+/// Gives the scene a grid of another shape that has the same arrays of points, the objects.
+void ReplaceShape(Scene& scene, vtkSmartPointer<vtkUnstructuredGrid> grid)
+{
+  for (const char* name : { "f", "extent" })
+  {
+    grid->GetPointData()->AddArray(scene.GetArray(name));
+  }
+  grid->GetPointData()->SetActiveScalars("f");
+  AddSlabs(grid, "layer", 2, 3);
+  scene.What.Grid = grid;
+}
+
+/// The same connectivity, the object, with points of their own, or the other way round.
+void ReplacePart(Scene& scene, bool isPoints, double stretch)
+{
+  vtkUnstructuredGrid* before = scene.GetGrid();
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(before->GetPoints());
+  grid->SetCells(VTK_TETRA, before->GetCells());
+  if (isPoints)
+  {
+    MovePoints(grid, { { 0.0, 0.0, 0.0 } }, 1.0, { { stretch, 1.0, 1.0 / stretch } });
+  }
+  else
+  {
+    vtkNew<vtkCellArray> cells;
+    cells->DeepCopy(before->GetCells());
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    before->GetCellPoints(0, size, corners);
+    // Two cells change places.
+    const std::vector<vtkIdType> first(corners, corners + 4);
+    before->GetCellPoints(1, size, corners);
+    cells->ReplaceCellAtId(0, 4, std::vector<vtkIdType>(corners, corners + 4).data());
+    cells->ReplaceCellAtId(1, 4, first.data());
+    grid->SetCells(VTK_TETRA, cells);
+  }
+  ReplaceShape(scene, grid);
 }
 
 /// A face of the first tetrahedron as the boundary.
@@ -229,6 +273,7 @@ void TestSequence(Check& check, int path, Blend how, unsigned int seed)
   const auto point = [&]() {
     return static_cast<vtkIdType>(number(static_cast<int>(scene.GetGrid()->GetNumberOfPoints())));
   };
+  int shape = 0;
   const struct
   {
     const char* Name;
@@ -256,6 +301,35 @@ void TestSequence(Check& check, int path, Blend how, unsigned int seed)
       } },
     { "colours", false,
       [&]() { scene.What.Property = MakeRamp(0.1, 1.0, 0.1 + 0.1 * number(5)); } },
+    { "shear", false,
+      [&]()
+      {
+        const bool isSheared = scene.What.Camera->GetViewShear()[0] != 0.0;
+        scene.What.Camera->SetViewShear(isSheared ? 0.0 : 0.3, isSheared ? 0.0 : -0.1, 0.8);
+      } },
+    { "clipping plane", false,
+      [&]()
+      {
+        vtkNew<vtkPlane> plane;
+        plane->SetNormal(1.0 + number(3), number(5) - 2.0, number(5) - 2.0);
+        plane->SetOrigin(0.4, 0.4, 0.5);
+        scene.Planes->AddItem(plane);
+      } },
+    { "no clipping plane", false, [&]() { scene.Planes->RemoveAllItems(); } },
+    { "boundary", false,
+      [&]() { scene.Boundary = scene.Boundary ? nullptr : MakeBoundary(scene.GetGrid()); } },
+    { "same arrays in another shape", true,
+      [&]()
+      {
+        shape = (shape + 1) % 3;
+        ReplaceShape(scene,
+          shape == 0     ? MakeCube(3)
+            : shape == 1 ? MakeBox({ { 1, 3, 7 } })
+                         : MakeBox({ { 7, 3, 1 } }));
+      } },
+    { "same cells with other points", true,
+      [&]() { ReplacePart(scene, true, number(2) != 0 ? 1.1 : 0.9); } },
+    { "same points with other cells", true, [&]() { ReplacePart(scene, false, 1.0); } },
     { "point", true,
       [&]()
       {
@@ -292,7 +366,7 @@ void TestSequence(Check& check, int path, Blend how, unsigned int seed)
   const int kinds = static_cast<int>(sizeof(changes) / sizeof(changes[0]));
   std::string name = "seed " + std::to_string(seed);
   scene.Draw(check, name);
-  for (int step = 0; step < 12; ++step)
+  for (int step = 0; step < 24; ++step)
   {
     const auto& change = changes[number(kinds)];
     change.Make();
