@@ -10,6 +10,7 @@
 
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkNew.h"
@@ -24,6 +25,7 @@
 #include <functional>
 #include <iostream>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -228,6 +230,77 @@ void TestRandom(Check& check)
   }
   check.That(largest > 0.2, "something is seen");
 }
+
+/// Images of other dimensions that share their arrays, which have changed after all of them, and
+/// arrays of other ranges under one function that has: each as by a mapper made anew.
+void TestShared(Check& check)
+{
+  const FlowFormula flow = [](const Place3& x) {
+    return FlowEnd{ x[1] < 0.4, 0, x[1] + 0.5, x[2] + 0.5, x[0] + 0.5 };
+  };
+  vtkSmartPointer<vtkImageData> first = MakeFlowVoxels(12, flow);
+  for (const double scale : { 1.0, 5.0 })
+  {
+    vtkNew<vtkFloatArray> speed;
+    speed->SetName(scale == 1.0 ? "Slow" : "Fast");
+    for (vtkIdType i = 0; i < first->GetNumberOfPoints(); ++i)
+    {
+      speed->InsertNextValue(static_cast<float>(scale * std::fmod(0.37 * i, 1.0)));
+    }
+    first->GetPointData()->AddArray(speed);
+  }
+  std::vector<vtkSmartPointer<vtkImageData>> images{ first };
+  for (const std::array<int, 3>& size :
+    { std::array<int, 3>{ { 24, 12, 6 } }, std::array<int, 3>{ { 6, 16, 18 } } })
+  {
+    images.push_back(vtkSmartPointer<vtkImageData>::New());
+    images.back()->ShallowCopy(first);
+    images.back()->SetExtent(3, size[0] + 2, -2, size[1] - 3, 0, size[2] - 1);
+    images.back()->SetSpacing(0.06, -0.07, 0.08);
+  }
+  const auto prepare = [](Show& show, vtkImageData* image, const char* opacity)
+  {
+    show.Camera =
+      LookAt(Place3{ { image->GetCenter()[0], image->GetCenter()[1], image->GetCenter()[2] } },
+        0.5 * image->GetLength(), { { -0.4, 0.6, -0.9 } }, false);
+    show.Stage.SetCamera(show.Camera);
+    show.Mapper->SetInflowTexture(0, MakeStripes(20.0, 0.5));
+    show.Mapper->SetInputData(static_cast<vtkDataSet*>(image));
+    show.Mapper->SetOpacityArray(opacity);
+    show.Mapper->SetShadingArray(opacity);
+    show.Property->ShadeOn();
+  };
+  vtkNew<vtkPiecewiseFunction> function;
+  function->AddPoint(0.0, 0.0);
+  function->AddPoint(1.0, 0.9);
+  function->AddPoint(5.0, 0.1);
+  const auto draw = [&](Show& show, int step)
+  {
+    prepare(show, images[static_cast<std::size_t>(step) % images.size()],
+      step % 2 == 0 ? "Slow" : "Fast");
+    show.Property->SetScalarOpacity(function);
+    return show.Stage.Capture();
+  };
+  std::vector<RgbaPicture> expected;
+  for (int step = 0; step < 6; ++step)
+  {
+    Show anew;
+    expected.push_back(draw(anew, step));
+    check.That(LargestAlpha(expected.back()) > 0.2, "something is seen of shared arrays");
+  }
+  for (const char* name : { "Slow", "Fast" })
+  {
+    first->GetPointData()->GetArray(name)->Modified();
+  }
+  function->Modified();
+  Show kept;
+  for (const int step : { 0, 3, 1, 5, 2, 4, 1, 0, 3, 2 })
+  {
+    const double error =
+      ComparePictures(draw(kept, step), expected[static_cast<std::size_t>(step)]).Max;
+    check.Near(error, 0.0, 0.0, "shared arrays, step " + std::to_string(step), 1.0);
+  }
+}
 }
 
 int TestFlowVolumeChanges(int, char*[])
@@ -235,5 +308,6 @@ int TestFlowVolumeChanges(int, char*[])
   Check check;
   TestCounters(check);
   TestRandom(check);
+  TestShared(check);
   return check.Result();
 }

@@ -73,7 +73,7 @@ FlowSources::FlowSources(FlowScene& scene, FlowTextures& textures)
 std::string FlowSources::KeepGrid(FlowPicture& picture)
 {
   vtkImplicitFlowVolumeReport& report = picture.Report;
-  const FlowTextures::Stamp stamp(&this->Scene, this->Scene.GridVersion);
+  const FlowTextures::Stamp stamp{ &this->Scene, this->Scene.GridVersion, {} };
   // Software interpolates floats as such; graphics cards round the weights to eight bits.
   const bool isSoftware = picture.Parts.IsSoftware;
   std::vector<float> smooth;
@@ -151,7 +151,8 @@ std::string FlowSources::KeepPaints(FlowPicture& picture)
     [&](const std::string& name, vtkImageData* image, int dimensions, bool isRepeated, int& count)
   {
     // The levels of detail are a part of the texture: with and without are two states of it.
-    const FlowTextures::Stamp stamp(image, 2 * image->GetMTime() + (settings.PaintFilter ? 1 : 0));
+    const FlowTextures::Stamp stamp{ image, 2 * image->GetMTime() + (settings.PaintFilter ? 1 : 0),
+      {} };
     return textures.Keep(
       picture.Window, name, dimensions == 3, stamp,
       [&]
@@ -195,7 +196,7 @@ std::string FlowSources::KeepPaints(FlowPicture& picture)
   if (!this->Scene.Paints.IsOne)
   {
     error = textures.Keep(
-      picture.Window, "surfaces", false, { &this->Scene.Paints, this->Scene.Paints.Version },
+      picture.Window, "surfaces", false, { &this->Scene.Paints, this->Scene.Paints.Version, {} },
       [&] { return MakeTable(this->Scene.Paints.Surfaces, 4); }, report.InflowUploads,
       report.UploadedBytes);
   }
@@ -211,13 +212,15 @@ std::string FlowSources::KeepArrays(FlowPicture& picture)
   const auto keepArray = [&](const char* name, vtkDataArray* array)
   {
     report.NonFiniteSamples += CountNonFinite(array);
+    const std::array<int, 3>& size = this->Scene.Grid.Size;
     return textures.Keep(
-      picture.Window, name, true, { array, array->GetMTime() },
+      picture.Window, name, true,
+      { array, array->GetMTime(), { { double(size[0]), double(size[1]), double(size[2]) } } },
       [&]
       {
         values = MakeFloats(array);
         FlowTextures::Source source;
-        source.Size = this->Scene.Grid.Size;
+        source.Size = size;
         source.Components = array->GetNumberOfComponents();
         source.Values = values.data();
         source.IsSmooth = true;
@@ -237,7 +240,8 @@ std::string FlowSources::KeepArrays(FlowPicture& picture)
     {
       error = textures.Keep(
         picture.Window, "transfer", false,
-        { function, std::max(function->GetMTime(), picture.OpacityValues->GetMTime()) },
+        { function, function->GetMTime(),
+          { { picture.TransferRange[0], picture.TransferRange[1], 0.0 } } },
         [&]
         {
           values.resize(FlowShader::Columns);
@@ -257,7 +261,7 @@ std::string FlowSources::KeepArrays(FlowPicture& picture)
     vtkPiecewiseFunction* gate = settings.TimeGate;
     error = textures.Keep(
       picture.Window, "gate", false,
-      { gate, 2 * gate->GetMTime() + (settings.TimeGateRepeat ? 1 : 0) },
+      { gate, 2 * gate->GetMTime() + (settings.TimeGateRepeat ? 1 : 0), {} },
       [&]
       {
         values.resize(FlowShader::Columns);

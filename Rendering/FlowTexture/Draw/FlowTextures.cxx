@@ -47,7 +47,7 @@ std::string FlowTextures::Keep(vtkOpenGLRenderWindow* window, const std::string&
   {
     return {};
   }
-  texture.Made = { nullptr, 0 };
+  texture.Made = {};
   std::string error = this->Send(window, isVolume, texture, make());
   if (error.empty())
   {

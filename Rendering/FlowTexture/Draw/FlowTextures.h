@@ -43,8 +43,18 @@ public:
     bool HasLevels = false;
   };
 
-  /// What tells that a source has changed: who it is, and its time or version.
-  using Stamp = std::pair<const void*, vtkMTimeType>;
+  /// What tells that a source has changed: who it is, its time or version, and its size or range.
+  struct Stamp
+  {
+    const void* Owner = nullptr;
+    vtkMTimeType Time = 0;
+    std::array<double, 3> Extent{};
+
+    bool operator==(const Stamp& other) const
+    {
+      return this->Owner == other.Owner && this->Time == other.Time && this->Extent == other.Extent;
+    }
+  };
 
   /// Begins a picture: textures that are not kept until Finish are released there.
   void Begin();
@@ -70,7 +80,7 @@ private:
   struct Texture
   {
     vtkSmartPointer<vtkTextureObject> Object;
-    Stamp Made{ nullptr, 0 };
+    Stamp Made;
     vtkIdType Bytes = 0;
     bool IsUsed = false;
   };
