@@ -72,14 +72,16 @@ std::vector<std::vector<vtkMatterGrid::Share>> vtkMatterGrid::FindShares(
   const Piece& piece, int axis) const
 {
   const int samples = piece.Image->GetDimensions()[axis] - (piece.IsOfCells ? 1 : 0);
-  const double spacing = piece.Image->GetSpacing()[axis];
+  const double step = piece.Image->GetSpacing()[axis];
+  const double spacing = std::abs(step);
   const double* bounds = piece.Image->GetBounds() + 2 * axis;
   const double lower = this->Bounds[2 * axis];
   std::vector<std::vector<Share>> shares(std::max(samples, 0));
   for (int i = 0; i < samples; ++i)
   {
     // A sample of points fills half a voxel on either side of it.
-    const double begin = bounds[0] + spacing * (piece.IsOfCells ? i : i - 0.5);
+    const int place = step < 0.0 ? samples - 1 - i : i;
+    const double begin = bounds[0] + spacing * (piece.IsOfCells ? place : place - 0.5);
     const double from = std::max(begin, bounds[0]);
     const double to = std::min(begin + spacing, bounds[1]);
     const int last = this->Size[axis] - 1;

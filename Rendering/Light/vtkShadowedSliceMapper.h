@@ -59,10 +59,11 @@ struct SliceScene;
  * **Extinction** tau = -ln(1 - opacity) / ScalarOpacityUnitDistance per unit of length, the opacity
  * from the property's scalar opacity function, times its gradient opacity function of the
  * gradient's magnitude where there is one - taken as vtkGPUVolumeRayCastMapper takes it, with the
- * image's spacings s: (sx + sy + sz) / 3 |(df/dx, df/dy, df/dz)|, central differences in the
- * image's own units - classified after interpolation for each fragment. Functions are looked up
- * over their own points: a voxel far beyond all others changes nothing, steps and peaks are where
- * they are, however narrow, and all else is within 1e-3 of the function's largest value.
+ * image's spacings s without their signs: (sx + sy + sz) / 3 |(df/dx, df/dy, df/dz)|, central
+ * differences in the image's own units - classified after interpolation for each fragment.
+ * Functions are looked up over their own points: a voxel far beyond all others changes nothing,
+ * steps and peaks are where they are, however narrow, and all else is within 1e-3 of the function's
+ * largest value.
  *
  * **Colour** with the property's Shade on: equation 2.6, for each channel (2.9),
  *   C = c (ka Ia + sum kd I T (N.L)) + sum ks I T (E.R)^n,

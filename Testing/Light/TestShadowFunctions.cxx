@@ -176,6 +176,91 @@ void TestOthers(Check& check)
   ExpectReference(check, "an outlier with gradients, transmission and ends", scene, { 3e-3, 2e-4 });
 }
 
+/// The same values at the same places, with axes of the image reversed: by negative spacing, or by
+/// the direction matrix.
+vtkSmartPointer<vtkImageData> Reverse(
+  vtkImageData* image, const std::array<bool, 3>& isReversed, bool isByDirection)
+{
+  auto result = vtkSmartPointer<vtkImageData>::New();
+  result->CopyStructure(image);
+  Double3 spacing;
+  Double3 origin;
+  image->GetSpacing(spacing.data());
+  image->GetOrigin(origin.data());
+  std::array<double, 9> direction{ { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 } };
+  const int* size = image->GetDimensions();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (isReversed[axis])
+    {
+      origin[axis] += (size[axis] - 1) * spacing[axis];
+      (isByDirection ? direction[4 * axis] : spacing[axis]) *= -1.0;
+    }
+  }
+  result->SetOrigin(origin.data());
+  result->SetSpacing(spacing.data());
+  result->SetDirectionMatrix(direction.data());
+  vtkDataArray* from = image->GetPointData()->GetScalars();
+  const auto to = vtkSmartPointer<vtkDataArray>::Take(from->NewInstance());
+  to->SetName(from->GetName());
+  to->SetNumberOfComponents(from->GetNumberOfComponents());
+  to->SetNumberOfTuples(from->GetNumberOfTuples());
+  for (vtkIdType id = 0; id < from->GetNumberOfTuples(); ++id)
+  {
+    int index[3] = { static_cast<int>(id % size[0]), static_cast<int>(id / size[0] % size[1]),
+      static_cast<int>(id / size[0] / size[1]) };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      index[axis] = isReversed[axis] ? size[axis] - 1 - index[axis] : index[axis];
+    }
+    to->SetTuple(id, image->ComputePointId(index), from);
+  }
+  result->GetPointData()->SetScalars(to);
+  return result;
+}
+
+/// Gradients, shading and what light is scattered in do not depend on the order of samples.
+void TestReversed(Check& check)
+{
+  // Their mean is 0 where the last one is negative.
+  auto scene =
+    MakeScene(MakeImage({ { 16, 22, 10 } }, { { 0.06, 0.04, 0.1 } },
+                [](const Double3& x) { return MakeSphere(0.05, 0.45)(x) * (0.4 + 0.6 * x[0]); }),
+      MakeSoftProperty(0.8, true));
+  scene.Size = { { 48, 48 } };
+  vtkNew<vtkPiecewiseFunction> gradients;
+  gradients->AddPoint(0.0, 0.0);
+  gradients->AddPoint(0.12, 1.0);
+  scene.Property->SetGradientOpacity(gradients);
+  ExpectReference(check, "gradients, voxels of three sizes", scene, { 0.02, 6e-4 });
+  for (const bool isScattered : { false, true })
+  {
+    const auto draw = [&](vtkImageData* image)
+    {
+      auto drawn = scene;
+      drawn.Image = image;
+      vtkNew<vtkShadowedSliceMapper> mapper;
+      mapper->SetMultipleScattering(isScattered ? vtkShadowedSliceMapper::FULL_SCATTERING
+                                                : vtkShadowedSliceMapper::NO_SCATTERING);
+      return DrawByMapper(mapper, drawn);
+    };
+    const RgbaPicture expected = draw(scene.Image);
+    for (const bool isByDirection : { false, true })
+    {
+      for (const std::array<bool, 3>& isReversed : { std::array<bool, 3>{ { false, false, true } },
+             std::array<bool, 3>{ { true, true, false } },
+             std::array<bool, 3>{ { true, true, true } } })
+      {
+        const std::string name = std::string(isReversed[0] ? "x" : "") +
+          (isReversed[1] ? "y" : "") + (isReversed[2] ? "z" : "") + " reversed by " +
+          (isByDirection ? "direction" : "spacing") + (isScattered ? ", scattered" : "");
+        ExpectAlike(check, name, draw(Reverse(scene.Image, isReversed, isByDirection)), expected,
+          isScattered ? PictureBound{ 5e-3, 2e-4 } : PictureBound{ 1e-4, 1e-5 });
+      }
+    }
+  }
+}
+
 }
 
 int TestShadowFunctions(int, char*[])
@@ -185,5 +270,6 @@ int TestShadowFunctions(int, char*[])
   TestPeaks(check);
   TestSteps(check);
   TestOthers(check);
+  TestReversed(check);
   return check.Result();
 }

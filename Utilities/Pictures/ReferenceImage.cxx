@@ -52,7 +52,10 @@ ReferenceImage::ReferenceImage(
   }
   this->Components = scalars->GetNumberOfComponents();
   this->ColorScale = scalars->GetDataType() == VTK_UNSIGNED_CHAR ? 1.0 / 255.0 : 1.0;
-  image->GetSpacing(this->Spacing.data());
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Spacing[axis] = std::abs(image->GetSpacing()[axis]);
+  }
   const int* extent = image->GetExtent();
   vtkNew<vtkMatrix4x4> volumeFromIndex;
   volumeFromIndex->DeepCopy(image->GetIndexToPhysicalMatrix());

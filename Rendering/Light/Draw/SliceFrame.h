@@ -58,8 +58,9 @@ struct SliceFrame
   /// The ambient, diffuse and specular coefficients and the specular power of each row.
   std::array<std::array<float, 4>, 4> Materials{};
   glm::dvec3 Ambient{ 1.0, 1.0, 1.0 };
-  /// Of the image, for the magnitude of gradients as the property's functions have it.
-  glm::dvec3 Spacing{ 1.0, 1.0, 1.0 };
+  /// The factors by which half a difference along each axis of the image becomes a component of the
+  /// gradient that the property's functions are given for.
+  glm::dvec3 GradientSteps{ 1.0, 1.0, 1.0 };
   /// Unit distance of each row, in world units.
   std::array<double, 4> UnitDistances{ { 1.0, 1.0, 1.0, 1.0 } };
 

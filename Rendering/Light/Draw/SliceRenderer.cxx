@@ -10,6 +10,7 @@
 #include "Loader/OpenGLFunctions.h"
 #include "Plan/UnitSpaceCamera.h"
 #include "Receivers/SliceScene.h"
+#include "Space/UnitVector.h"
 #include "Volume/MatterShare.h"
 
 #include "vtkColorTransferFunction.h"
@@ -318,7 +319,9 @@ std::string SliceRenderer::UpdateVolume(
   }
   if (error.empty())
   {
-    request.Image->GetSpacing(glm::value_ptr(frame.Spacing));
+    // Magnitudes do not depend on which way an axis goes.
+    const glm::dvec3 spacing = glm::abs(glm::make_vec3(request.Image->GetSpacing()));
+    frame.GradientSteps = (spacing.x + spacing.y + spacing.z) / 3.0 / spacing;
   }
   return error;
 }

@@ -198,8 +198,9 @@ bool SliceScatterer::MakeGrid(const std::vector<Matter>& matter)
     for (const Matter& volume : matter)
     {
       const SliceFrame& own = *volume.Frame;
-      volumes.push_back({ own.Samples, own.Blocks, own.Material, own.Space, own.Region, own.Spacing,
-        own.UnitDistances, volume.GridSize > 0 ? volume.GridSize : AutomaticCells, Scatters(own) });
+      volumes.push_back({ own.Samples, own.Blocks, own.Material, own.Space, own.Region,
+        own.GradientSteps, own.UnitDistances,
+        volume.GridSize > 0 ? volume.GridSize : AutomaticCells, Scatters(own) });
     }
     this->HasGrid = this->Grid.Build(volumes);
     this->GridKey = key;

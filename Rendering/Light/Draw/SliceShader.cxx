@@ -294,10 +294,7 @@ void SetMediumUniforms(vtkShaderProgram* program, const SliceFrame& frame, const
         frame.Material.GradientRange[row];
       distances[row] = frame.UnitDistances[row] / space.Radius;
     }
-    const glm::dvec3& spacing = frame.Spacing;
-    const double mean = (spacing[0] + spacing[1] + spacing[2]) / 3.0;
-    SetVector(program, "gradientSteps",
-      glm::dvec3(0.5 * mean / spacing[0], 0.5 * mean / spacing[1], 0.5 * mean / spacing[2]));
+    SetVector(program, "gradientSteps", 0.5 * frame.GradientSteps);
     SetVector(program, "gradientColumnScale", scale);
     SetVector(program, "unitDistances", distances);
   }

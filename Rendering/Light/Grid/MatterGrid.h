@@ -49,8 +49,8 @@ public:
     const MaterialTable& Material;
     const UnitSpace& Space;
     const ClipRegion& Region;
-    /// Of the image.
-    glm::dvec3 Spacing;
+    /// See SliceFrame.
+    glm::dvec3 GradientSteps;
     /// Of each row.
     std::array<double, 4> UnitDistances;
     /// The cells along the volume's longest edge; it has fewer where it has fewer voxels.

@@ -139,8 +139,6 @@ bool MatterSampler::IsLeft(const glm::dvec3& place, const glm::dvec3& inTexture)
 double MatterSampler::GetGradient(
   const glm::dvec3& inTexture, const glm::dvec4& here, int component) const
 {
-  const glm::dvec3& spacing = this->Volume.Spacing;
-  const double mean = (spacing.x + spacing.y + spacing.z) / 3.0;
   double square = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -151,7 +149,7 @@ double MatterSampler::GetGradient(
     const double lower = share > 0.0 ? before[component] : here[component];
     const glm::dvec4 after = this->GetValues(inTexture + offset, share);
     const double upper = share > 0.0 ? after[component] : here[component];
-    const double slope = 0.5 * mean / spacing[axis] * (upper - lower);
+    const double slope = 0.5 * this->Volume.GradientSteps[axis] * (upper - lower);
     square += slope * slope;
   }
   return std::sqrt(square);
