@@ -6,11 +6,14 @@
 #include "Pictures/ShadowPicture.h"
 #include "Pictures/VolumeStage.h"
 #include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceRandom.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkMatrix4x4.h"
@@ -27,7 +30,11 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
+#include <array>
+#include <cmath>
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -369,6 +376,74 @@ void TestChanges(Check& check)
     });
 }
 
+/// Images that share one array, in other dimensions, places, and as points or cells: the array has
+/// changed after all of them.
+void TestSharedArrays(Check& check)
+{
+  constexpr vtkIdType values = 576;
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("f");
+  for (vtkIdType id = 0; id < values; ++id)
+  {
+    array->InsertNextValue(std::fmod(0.37 * static_cast<double>(id), 1.0));
+  }
+  const std::vector<std::array<int, 3>> sizes = { { { 6, 8, 12 } }, { { 12, 8, 6 } },
+    { { 24, 6, 4 } }, { { 8, 8, 9 } }, { { 9, 8, 8 } }, { { 6, 8, 12 } } };
+  std::vector<ShadowScene> scenes;
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+  {
+    for (const bool isOfCells : { false, true })
+    {
+      auto scene = SphereScene();
+      const std::array<int, 3>& size = sizes[i];
+      const int more = isOfCells ? 1 : 0;
+      const int first = 5 * static_cast<int>(i);
+      scene.Image = vtkSmartPointer<vtkImageData>::New();
+      scene.Image->SetExtent(first, first + size[0] - 1 + more, 0, size[1] - 1 + more, -first,
+        size[2] - 1 + more - first);
+      scene.Image->SetSpacing(0.1, i % 2 == 0 ? 0.1 : -0.08, 0.09);
+      if (i % 3 == 2)
+      {
+        scene.Image->SetDirectionMatrix(0.8, -0.6, 0.0, 0.6, 0.8, 0.0, 0.0, 0.0, 1.0);
+      }
+      scene.Array.OfCells = isOfCells;
+      vtkDataSetAttributes* data = scene.Image->GetPointData();
+      if (isOfCells)
+      {
+        data = scene.Image->GetCellData();
+      }
+      data->SetScalars(array);
+      scene.Camera = LookAt(scene.Image, { { -0.3, -0.4, -1.0 } }, false);
+      scenes.push_back(scene);
+    }
+  }
+  for (const int scattering :
+    { vtkShadowedSliceMapper::NO_SCATTERING, vtkShadowedSliceMapper::FULL_SCATTERING })
+  {
+    std::vector<RgbaPicture> expected;
+    for (const ShadowScene& scene : scenes)
+    {
+      vtkNew<vtkShadowedSliceMapper> fresh;
+      fresh->SetMultipleScattering(scattering);
+      expected.push_back(DrawByMapper(fresh, scene));
+      check.That(LargestAlpha(expected.back()) > 0.3, "something is seen of the shared array");
+    }
+    array->Modified();
+    vtkNew<vtkShadowedSliceMapper> mapper;
+    mapper->SetMultipleScattering(scattering);
+    VolumeStage stage(scenes[0].Size);
+    Random random(5);
+    for (int change = 0; change < 24; ++change)
+    {
+      const auto which =
+        static_cast<std::size_t>(random.Get(0.0, static_cast<double>(scenes.size()) - 1e-6));
+      SetScene(stage, mapper, scenes[which]);
+      ExpectSame(check, "image " + std::to_string(which) + " of a shared array", stage.Capture(),
+        expected[which]);
+    }
+  }
+}
+
 /// Textures are made anew after they were released, and for each window.
 void TestWindows(Check& check)
 {
@@ -407,6 +482,7 @@ int TestShadowState(int, char*[])
   TestAfter(check);
   TestStereo(check);
   TestChanges(check);
+  TestSharedArrays(check);
   TestWindows(check);
   return check.Result();
 }

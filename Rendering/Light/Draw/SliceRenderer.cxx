@@ -101,17 +101,18 @@ std::vector<double> MakeKey(vtkVolumeProperty* property, int components)
 SliceRenderer::SliceRenderer() = default;
 
 SliceRenderer::~SliceRenderer() = default;
-
-std::string SliceRenderer::UpdateSamples(const Request& request, bool isSoftware)
-{
-  const vtkMTimeType time = std::max(request.Image->GetMTime(), request.Scalars->GetMTime());
+  // Images may share an array that has changed after both of them.
   if (this->Scalars == request.Scalars && this->SamplesTime == time &&
-    this->IsWidened == isSoftware)
+    this->Frame.Samples.Size == size && this->IsWidened == isSoftware)
   {
     return {};
   }
   this->Scalars = nullptr;
   this->MaterialOwner = nullptr;
+
+std::string SliceRenderer::UpdateSamples(const Request& request, bool isSoftware)
+{
+  const vtkMTimeType time = std::max(request.Image->GetMTime(), request.Scalars->GetMTime());
   std::array<int, 3> size{};
   const int* dimensions = request.Image->GetDimensions();
   for (int axis = 0; axis < 3; ++axis)
