@@ -27,9 +27,6 @@ uniform float unitShare;
 #ifdef OPAQUE
 uniform sampler2D image;
 #endif
-#ifdef CROPPING
-uniform mat4 volumeFromVoxels;
-#endif
 #ifdef PAINT_FILTER
 uniform vec2 pixelSize;
 #endif
@@ -51,13 +48,6 @@ float opacityOf(float alpha, float length)
   float opacity = depth < 0.05 ? few : 1.0 - exp(-depth);
   return alpha < 1.0 ? opacity : 1.0;
 }
-
-#ifdef CROPPING
-bool isCropped(vec3 place)
-{
-  return isCroppedAt((volumeFromVoxels * vec4(place, 1.0)).xyz);
-}
-#endif
 
 //INTERLUME::WALK
 

@@ -43,11 +43,11 @@ void pass(inout Ray ray, float samples)
 // Adds what is painted at a place.
 void add(Ray ray, Sample found, vec3 place, inout vec4 sum)
 {
-  float depth = pieceOf(ray) * unitShare / float(partsOf(found));
-  float strength = strengthAt(place);
-#ifdef CROPPING
-  strength = isCropped(place) ? 0.0 : strength;
-#endif
+  float to = 0.5 * pieceOf(ray);
+  float from = -to;
+  cutToRegions(place, ray.Way, from, to);
+  float depth = (to - from) * unitShare / float(partsOf(found));
+  float strength = to > from ? strengthAt(place) : 0.0;
 #ifdef SHADE
   Light light = lightAt(place, ray.Way);
 #endif

@@ -80,10 +80,10 @@ class FlowVolumeRenderer;
  * LightBufferSize thins. Surfaces neither cast shadows in the volume nor receive its own:
  * vtkShadowedScenePass does not know this mapper.
  *
- * Cropping by region flags and clipping planes cut exactly along the ray where the flags are those
- * of the subvolume, sample by sample otherwise. Opaque props occlude by depth. Translucent polygons
- * are behind the volume wherever they are, and UseDepthPeelingForVolumes is warned of once.
- * Selection (vtkHardwareSelector) finds the volume as a whole. The only BlendMode is composite.
+ * Cropping and clipping planes cut exactly along the ray, whatever the direction matrix of the
+ * image is. Opaque props occlude by depth. Translucent polygons are behind the volume wherever they
+ * are, and UseDepthPeelingForVolumes is warned of once. Selection (vtkHardwareSelector) finds the
+ * volume as a whole. The only BlendMode is composite.
  *
  * Samples with a place or time that is not finite count as having reached no surface, those with no
  * finite value of another array as having the value 0; both are counted and warned of once for each

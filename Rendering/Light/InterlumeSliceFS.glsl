@@ -219,6 +219,7 @@ void main()
   }
   float middle = 0.5 * (lower + upper);
   sampleAt = place + sightline * middle;
+  cutToRegions(place, sightline, lower, upper);
   vec3 sampleInTexture = p + q * middle;
 #ifdef MATTER
   setSampleSize(sightline, upper - lower, pixelX, pixelY);

@@ -74,9 +74,9 @@ vec3 getColor_INDEX(vec3 l)
 }
 
 #ifdef SHADOW_INDEX
-// Returns how far light that goes along l, inverse in the texture, goes through the slab's matter
-// before it is at x, p in the texture.
-float getPath_INDEX(vec3 x, vec3 p, vec3 l, vec3 inverse)
+// Returns how far light that goes along l, inverse in the texture, has come in the slab within the
+// volume before it is at x, p in the texture.
+float getWay_INDEX(vec3 x, vec3 p, vec3 l, vec3 inverse)
 {
   float path = (dot(x, sliceNormal) - sliceEntrance) / max(dot(l, sliceNormal), 1e-6);
 #ifdef WIDE_INDEX
@@ -86,6 +86,15 @@ float getPath_INDEX(vec3 x, vec3 p, vec3 l, vec3 inverse)
   float upper = 0.0;
   cutToMatter(x, l, p, inverse, lower, upper);
   return max(-lower, 0.0);
+}
+
+// Returns how much of that way cropping leaves.
+float getPath_INDEX(vec3 x, vec3 p, vec3 l, vec3 inverse)
+{
+  float lower = -getWay_INDEX(x, p, l, inverse);
+  float upper = 0.0;
+  cutToRegions(x, l, lower, upper);
+  return upper - lower;
 }
 
 #if defined(THICK) || defined(WIDE_INDEX)
@@ -210,13 +219,15 @@ LIGHT getOutside_INDEX(vec3 x)
 // starts: as in the light's buffer, by the extinction in the middle of that way.
 LIGHT getStart_INDEX(vec3 l, vec3 inverse)
 {
-  float way = getPath_INDEX(segmentStart, startInTexture, l, inverse);
-  float middle = -0.5 * way;
+  float lower = -getWay_INDEX(segmentStart, startInTexture, l, inverse);
+  float upper = 0.0;
+  cutToRegions(segmentStart, l, lower, upper);
+  float middle = 0.5 * (lower + upper);
   vec4 texel;
   vec4 parts;
   float extinction = extinctionsAt(segmentStart + l * middle,
     startInTexture + mat3(textureFromUnit) * l * middle, texel, parts);
-  return exp(-extinction * way * PART(texel));
+  return exp(-extinction * (upper - lower) * PART(texel));
 }
 #endif
 
@@ -256,7 +267,7 @@ LIGHT getTransmittance_INDEX(vec3 l)
     texels[i] = exp(-texels[i] / max(dot(l, sliceNormal), 1e-6));
   }
   LIGHT outside = interpolate_INDEX(texels, part);
-  float path = getPath_INDEX(sampleAt, placeInTexture(sampleAt), l, inverse);
+  float path = getWay_INDEX(sampleAt, placeInTexture(sampleAt), l, inverse);
   if (path > 1.5 * sliceSpacing)
   {
     int steps = clamp(int(ceil(path / (1.5 * sliceSpacing))), 1, 256);
@@ -267,8 +278,12 @@ LIGHT getTransmittance_INDEX(vec3 l)
       vec4 texel;
       vec4 parts;
       vec3 x = sampleAt - l * ((float(i) + 0.5) * size);
+      float from = -0.5 * size;
+      float to = 0.5 * size;
+      cutToRegions(x, l, from, to);
+      x += l * (0.5 * (from + to));
       float extinction = extinctionsAt(x, placeInTexture(x), texel, parts);
-      depth += extinction * size * PART(texel);
+      depth += extinction * (to - from) * PART(texel);
     }
     return outside * exp(-depth);
   }

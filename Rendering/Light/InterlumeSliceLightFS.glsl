@@ -66,13 +66,18 @@ void main()
   for (int i = 0; i < steps; ++i)
   {
     float s = lower + (float(i) + 0.5) * size;
+    float from = -0.5 * size;
+    float to = 0.5 * size;
+    cutToRegions(x + l * s, l, from, to);
+    s += 0.5 * (from + to);
 #ifdef MATTER
     setSampleSize(l, size, s * texelX, s * texelY);
 #endif
     float extinction = extinctionsAt(x + l * s, p + q * s, texel, parts);
-    depth += extinction * size * PART(texel);
+    depth += extinction * (to - from) * PART(texel);
   }
 #else
+  cutToRegions(x, l, lower, upper);
   float middle = 0.5 * (lower + upper);
 #ifdef MATTER
   setSampleSize(l, upper - lower, texelX, texelY);

@@ -24,9 +24,6 @@ uniform float worldLength;
 #ifdef MASK
 uniform sampler3D mask;
 #endif
-#ifdef CROPPING
-uniform mat4 volumeFromUnit;
-#endif
 #ifdef TRANSMISSION
 uniform sampler2D transmissions;
 #endif
@@ -229,13 +226,6 @@ vec3 gradientOf(vec3 difference)
 #endif
 #endif
 
-#ifdef CROPPING
-bool isCropped(vec3 x)
-{
-  return isCroppedAt((volumeFromUnit * vec4(x, 1.0)).xyz);
-}
-#endif
-
 #ifdef MATTER
 // What a fragment's sample stands for, in the texture: a piece of the ray and the edges of a pixel.
 mat3 sampleSize = mat3(0.0);
@@ -252,12 +242,6 @@ float extinctionsAt(vec3 x, vec3 p, out vec4 texel, out vec4 parts)
 {
   texel = vec4(0.0);
   parts = vec4(0.0);
-#ifdef CROPPING
-  if (isCropped(x))
-  {
-    return 0.0;
-  }
-#endif
   vec3 color = vec3(0.0);
   parts.x = matterAt(p, sampleSize, color) * worldLength;
   texel = vec4(color, 0.0);
@@ -268,13 +252,6 @@ float extinctionsAt(vec3 x, vec3 p, out vec4 texel, out vec4 parts)
 float extinctionsAt(vec3 x, vec3 p, out vec4 texel, out vec4 parts)
 {
   parts = vec4(0.0);
-#ifdef CROPPING
-  if (isCropped(x))
-  {
-    texel = vec4(0.0);
-    return 0.0;
-  }
-#endif
   float share;
   texel = texelAt(p, share);
   vec4 columns = (texel - columnOrigin) * columnScale;

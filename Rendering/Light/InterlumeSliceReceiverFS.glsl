@@ -62,6 +62,7 @@ void main()
   bool isWithin = upper > lower;
   float end = isWithin ? upper : -path;
   sampleAt = place + l * end;
+  cutToRegions(place, l, lower, upper);
   if (isWithin)
   {
     float middle = 0.5 * (lower + upper);

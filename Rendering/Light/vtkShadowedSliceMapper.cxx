@@ -213,10 +213,10 @@ void vtkShadowedSliceMapper::Draw(vtkRenderer* renderer, vtkVolume* volume,
   request.Image = image;
   request.Settings = *this;
   request.Matter = this->Matter;
-  request.ClippingPlanes = this->ClippingPlanes;
-  request.Cropping = this->Cropping != 0;
-  std::copy_n(this->CroppingRegionPlanes, 6, request.CroppingPlanes.begin());
-  request.CroppingFlags = this->CroppingRegionFlags;
+  request.Cuts.Planes = this->ClippingPlanes;
+  request.Cuts.IsCropped = this->Cropping != 0;
+  std::copy_n(this->CroppingRegionPlanes, 6, request.Cuts.CroppingPlanes.begin());
+  request.Cuts.CroppingFlags = this->CroppingRegionFlags;
   request.Scene = scene;
   std::vector<std::string> warnings;
   std::string error = this->BlendMode == COMPOSITE_BLEND

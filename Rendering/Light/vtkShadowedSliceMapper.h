@@ -182,11 +182,12 @@ struct SliceScene;
  * Selection (vtkHardwareSelector) finds the volume as a whole, wherever a line of sight meets
  * matter before an opaque prop.
  *
- * Cropping by region flags and clipping planes cut the matter exactly along the ray where the flags
- * are those of the subvolume, sample by sample otherwise. Opaque props occlude by depth, within a
- * slab too. Translucent polygons are behind the volume wherever they are: UseDepthPeelingForVolumes
- * is not supported, is warned of once, and draws the picture that is drawn without it. The only
- * BlendMode is composite.
+ * Cropping, clipping planes and the camera's near and far planes cut the matter exactly along the
+ * ray, whatever the direction matrix of the image is. Where region flags leave several pieces of a
+ * ray within one slab, these are one piece of their length around their common center. Light takes
+ * no notice of the camera's planes. Opaque props occlude by depth, within a slab too. Translucent
+ * polygons are behind the volume wherever they are: UseDepthPeelingForVolumes is not supported, is
+ * warned of once, and draws the picture that is drawn without it. The only BlendMode is composite.
  *
  * Opaque actors cast shadows in the volume, and the volume on them, where vtkShadowedScenePass
  * draws the renderer; there volumes of several mappers share slices, and cast shadows on each

@@ -6,6 +6,8 @@ uniform vec3 boxUpper;
 uniform vec4 clippingPlanes[CLIPPING_PLANES];
 #endif
 #ifdef CROPPING
+// The axes of the volume, one a column, and the thresholds along them.
+uniform mat3 croppingAxes;
 uniform vec3 croppingLower;
 uniform vec3 croppingUpper;
 uniform int croppingFlags;
@@ -49,10 +51,42 @@ void cutToMatter(vec3 x, vec3 d, vec3 p, vec3 inverse, inout float lower, inout 
 }
 
 #ifdef CROPPING
-// By the volume's own coordinates, which cropping planes are in.
-bool isCroppedAt(vec3 v)
+// Returns true if cropping takes the region at x away.
+bool isCropped(vec3 x)
 {
+  vec3 v = x * croppingAxes;
   ivec3 region = ivec3(greaterThanEqual(v, croppingLower)) + ivec3(greaterThan(v, croppingUpper));
   return (croppingFlags & (1 << (region.x + 3 * region.y + 9 * region.z))) == 0;
+}
+
+// Makes lower and upper the ends of a segment that is as long as the parts of x + s d between them
+// that cropping leaves, around the center of these.
+void cutToRegions(vec3 x, vec3 d, inout float lower, inout float upper)
+{
+  vec3 inverse = inverseOf(d * croppingAxes);
+  vec3 first = (croppingLower - x * croppingAxes) * inverse;
+  vec3 second = (croppingUpper - x * croppingAxes) * inverse;
+  float from = lower;
+  float size = 0.0;
+  float moment = 0.0;
+  // Six thresholds part a line.
+  for (int i = 0; i < 7 && from < upper; ++i)
+  {
+    vec3 next = min(mix(first, vec3(upper), lessThanEqual(first, vec3(from))),
+      mix(second, vec3(upper), lessThanEqual(second, vec3(from))));
+    float to = min(min(next.x, next.y), min(next.z, upper));
+    float middle = 0.5 * (from + to);
+    float kept = isCropped(x + middle * d) ? 0.0 : to - from;
+    size += kept;
+    moment += kept * middle;
+    from = to;
+  }
+  float center = size > 0.0 ? moment / size : lower;
+  lower = center - 0.5 * size;
+  upper = center + 0.5 * size;
+}
+#else
+void cutToRegions(vec3 x, vec3 d, inout float lower, inout float upper)
+{
 }
 #endif

@@ -101,8 +101,41 @@ void TestCuts(Check& check)
   inverse->CroppingOn();
   inverse->SetCroppingRegionPlanes(-0.3, 0.2, -0.1, 0.6, -0.6, 0.25);
   inverse->SetCroppingRegionFlags(0x7ffdfff);
-  // A sample is in or out as a whole.
-  compare(inverse, "cropped by samples", 0.02);
+  compare(inverse, "all but a box", 2e-3);
+
+  // A cube of a flow that is the same in every turned image of it.
+  scene.Flow = [](const Place3&) { return FlowEnd{ true, 0, 0.5, 0.45, 0.5 }; };
+  const double turn[9] = { 0.8, -0.6, 0.0, 0.48, 0.64, -0.6, -0.36, -0.48, -0.8 };
+  vtkSmartPointer<vtkImageData> turned = MakeFlowVoxels(9, scene.Flow);
+  turned->SetDirectionMatrix(turn);
+  Place3 center;
+  turned->GetCenter(center.data());
+  turned->SetOrigin(-0.5 - center[0], -0.5 - center[1], -0.5 - center[2]);
+  // Samples farther apart than the regions are wide cut as exactly.
+  RgbaPicture pictures[2];
+  for (const bool isClipped : { false, true })
+  {
+    vtkNew<vtkImplicitFlowVolumeMapper> mapper;
+    mapper->SetInflowTexture(0, MakeBlob());
+    mapper->SetSampleDistance(0.2);
+    mapper->SetCropping(!isClipped);
+    mapper->SetCroppingRegionPlanes(-0.3, 0.2, -0.1, 0.33, -0.31, 0.25);
+    for (int side = 0; side < 6 && isClipped; ++side)
+    {
+      Place3 normal{};
+      Place3 origin{};
+      normal[static_cast<std::size_t>(side) / 2] = side % 2 == 0 ? 1.0 : -1.0;
+      origin[static_cast<std::size_t>(side) / 2] = mapper->GetCroppingRegionPlanes()[side];
+      vtkNew<vtkPlane> face;
+      face->SetNormal(normal.data());
+      face->SetOrigin(origin.data());
+      mapper->AddClippingPlane(face);
+    }
+    pictures[isClipped ? 1 : 0] = DrawFlow(mapper, turned, scene);
+  }
+  check.That(LargestAlpha(pictures[1]) > 0.3, "something is seen of the turned volume");
+  check.Near(ComparePictures(pictures[0], pictures[1]).Max, 0.0, 1e-5,
+    "a turned volume, cropped as by six clipping planes", 1.0);
 }
 
 /// Two thin sheets with nothing before, between and behind them, which is passed over.

@@ -245,13 +245,10 @@ void TestCuts(Check& check)
   scene.CroppingPlanes = { { -0.22, 0.31, -0.27, 0.13, -0.4, 0.17 } };
   scene.CroppingFlags = VTK_CROP_SUBVOLUME;
   ExpectReference(check, "subvolume", scene, Cut);
-  // Sample by sample, so that a slab with its middle out is left out.
   for (int flags : { VTK_CROP_FENCE, VTK_CROP_INVERTED_CROSS })
   {
     scene.CroppingFlags = flags;
-    vtkNew<vtkShadowedSliceMapper> mapper;
-    mapper->SetSliceSpacing(0.01);
-    ExpectReference(check, "cropping " + std::to_string(flags), mapper, scene, { 0.06, 0.003 });
+    ExpectReference(check, "cropping " + std::to_string(flags), scene, Cut);
   }
   scene.CroppingFlags = 0;
   for (const Double3& normal : { Double3{ { 0.0, -1.0, 0.3 } }, Double3{ { -0.8, 0.2, -0.5 } } })

@@ -96,13 +96,13 @@ void CheckPoints(Check& check, Scene& scene, Random& random, double far)
     const glm::dvec3 world = scene.GetWorldPoint(index);
     CheckNear(check, TransformPoint(space.TextureFromUnit, unit), texture, 1e-11, 1.0, "and back");
     CheckNear(check, space.ToUnit(glm::value_ptr(world)), unit, tolerance, 1.0, "unit from world");
-    const glm::dvec3 volume = TransformPoint(space.VolumeFromUnit, unit);
+    const glm::dvec3 volume = TransformPoint(space.VolumeFromTexture, texture);
     const glm::dvec3 expected = scene.GetVolumePoint(index);
     CheckNear(check, volume, expected, tolerance,
       size *
         interlume::Vectors::SafeLength(glm::dvec3(scene.Image->GetSpacing()[0],
           scene.Image->GetSpacing()[1], scene.Image->GetSpacing()[2])),
-      "volume from unit");
+      "volume from texture");
     if (corner < 8)
     {
       farthest = std::max(farthest, interlume::Vectors::SafeLength(unit));

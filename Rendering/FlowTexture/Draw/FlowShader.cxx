@@ -76,7 +76,7 @@ FlowShader::FlowShader(const vtkImplicitFlowVolumeSettings& settings, const Part
   add(isAlone && parts.HasOpaqueDepth, "OPAQUE");
   add(
     isAlone && !view.ClippingPlanes.empty(), "CLIPPING_PLANES", number(view.ClippingPlanes.size()));
-  add(isAlone && view.HasRegions, "CROPPING");
+  add(isAlone && view.Regions.HasGaps(), "CROPPING");
   add(parts.HasSplitCells, "SPLITS");
   add(parts.HasSeamCells, "SEAMS");
   add(!paints.IsOne, "SURFACES");

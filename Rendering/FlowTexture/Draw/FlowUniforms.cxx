@@ -75,14 +75,9 @@ void SetView(vtkShaderProgram* program, const FlowScene& scene, const FlowPictur
     program->SetUniform4fv("clippingPlanes", static_cast<int>(planes.size()),
       reinterpret_cast<const float(*)[4]>(planes.data()));
   }
-  if (view.HasRegions)
+  if (view.Regions.HasGaps())
   {
-    SetValue(program, "croppingLower", view.CroppingLower);
-    SetValue(program, "croppingUpper", view.CroppingUpper);
-    program->SetUniformi("croppingFlags", view.CroppingFlags);
-    float values[16];
-    std::copy_n(glm::value_ptr(view.VolumeFromVoxels), 16, values);
-    program->SetUniformMatrix4x4("volumeFromVoxels", values);
+    view.Regions.SetUniforms(program);
   }
 }
 }

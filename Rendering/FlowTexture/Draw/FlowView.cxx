@@ -5,12 +5,10 @@
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
-#include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkRenderer.h"
-#include "vtkVolumeMapper.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +65,7 @@ std::string FlowView::Set(
   }
   if (cuts.IsCropped)
   {
-    this->SetCropping(image, cuts);
+    this->SetCropping(cuts);
   }
   return this->SetClipping(cuts.Planes);
 }
@@ -128,25 +126,28 @@ std::string FlowView::SetClipping(vtkPlaneCollection* planes)
   return {};
 }
 
-void FlowView::SetCropping(vtkImageData* image, const Cuts& cuts)
+void FlowView::SetCropping(const Cuts& cuts)
 {
+  const glm::dmat4 rows = glm::transpose(this->VolumeFromVoxels);
+  vtkCroppingRegions::Matrix toVolume;
+  std::copy_n(glm::value_ptr(rows), 16, toVolume.begin());
+  this->Regions = vtkCroppingRegions(cuts.CroppingPlanes, cuts.CroppingFlags, toVolume);
+  vtkCroppingRegions::Box box;
   for (int axis = 0; axis < 3; ++axis)
   {
-    this->CroppingLower[axis] = cuts.CroppingPlanes[2 * axis];
-    this->CroppingUpper[axis] = cuts.CroppingPlanes[2 * axis + 1];
+    box[axis] = { { this->BoxLower[axis], this->BoxUpper[axis] } };
   }
-  this->CroppingFlags = cuts.CroppingFlags;
-  this->HasRegions =
-    cuts.CroppingFlags != VTK_CROP_SUBVOLUME || !image->GetDirectionMatrix()->IsIdentity();
-  if (this->HasRegions)
+  vtkCroppingRegions::Planes planes;
+  this->Regions.Cut(toVolume, box, planes);
+  for (int axis = 0; axis < 3; ++axis)
   {
-    return;
+    this->BoxLower[axis] = box[axis][0];
+    this->BoxUpper[axis] = box[axis][1];
   }
-  const glm::dmat4 voxelsFromVolume = glm::inverse(this->VolumeFromVoxels);
-  const glm::dvec3 a(voxelsFromVolume * glm::dvec4(this->CroppingLower, 1.0));
-  const glm::dvec3 b(voxelsFromVolume * glm::dvec4(this->CroppingUpper, 1.0));
-  this->BoxLower = glm::max(this->BoxLower, glm::min(a, b));
-  this->BoxUpper = glm::min(this->BoxUpper, glm::max(a, b));
+  for (const std::array<double, 4>& plane : planes)
+  {
+    this->ClippingPlanes.push_back(glm::make_vec4(plane.data()));
+  }
 }
 
 }

@@ -2,6 +2,8 @@
 #ifndef interlume_FlowView_h
 #define interlume_FlowView_h
 
+#include "vtkCroppingRegions.h"
+
 #include <array>
 #include <string>
 #include <vector>
@@ -57,17 +59,14 @@ public:
   double Middle = 0.0;
   /// From voxels to world coordinates.
   glm::dmat4 WorldFromVoxels{ 1.0 };
-  /// From voxels to the volume's own coordinates, which cropping planes are in.
+  /// From voxels to the volume's own coordinates, for cropping planes.
   glm::dmat4 VolumeFromVoxels{ 1.0 };
   glm::dvec3 BoxLower{ 0.0 };
   glm::dvec3 BoxUpper{ 0.0 };
-  /// Planes in voxels: what has a positive value is kept. Values are distances in world units.
+  /// Planes in voxels: what has a positive value is kept.
   std::vector<glm::dvec4> ClippingPlanes;
-  /// Whether samples have to be asked for their region.
-  bool HasRegions = false;
-  glm::dvec3 CroppingLower{ 0.0 };
-  glm::dvec3 CroppingUpper{ 0.0 };
-  int CroppingFlags = 0;
+  /// The regions that cropping leaves, with gaps or without.
+  vtkCroppingRegions Regions;
   /// The smallest distance of neighbouring voxels, and the length of the diagonal, in world units.
   double Spacing = 1.0;
   double Diagonal = 1.0;
@@ -75,7 +74,7 @@ public:
 private:
   void SetRays(const glm::dmat4& voxelsFromClip, bool isParallel, const glm::dvec3& middle);
   std::string SetClipping(vtkPlaneCollection* planes);
-  void SetCropping(vtkImageData* image, const Cuts& cuts);
+  void SetCropping(const Cuts& cuts);
 };
 
 }

@@ -310,13 +310,7 @@ std::string SliceRenderer::UpdateVolume(
   }
   if (error.empty())
   {
-    frame.Region.SetWhole(frame.Space);
-    if (request.Cropping)
-    {
-      frame.Region.Crop(request.Image, request.IsOfCells, frame.Space, request.CroppingPlanes,
-        request.CroppingFlags);
-    }
-    error = frame.Region.Clip(request.ClippingPlanes, frame.Space);
+    error = frame.Region.Set(request.Cuts, frame.Space);
   }
   if (error.empty())
   {
@@ -330,7 +324,7 @@ std::string SliceRenderer::UpdateVolume(
 void SliceRenderer::MoveTo(const Request& request, const glm::dvec3& center, double radius)
 {
   this->Frame.Space.MoveTo(center, radius);
-  this->Frame.Region.Clip(request.ClippingPlanes, this->Frame.Space);
+  this->Frame.Region.Set(request.Cuts, this->Frame.Space);
 }
 
 void SliceRenderer::UpdateView(vtkRenderer* renderer, vtkVolume* volume, const Request& request,

@@ -9,7 +9,6 @@
 #include "vtkShadowedSliceSettings.h"
 #include "vtkType.h"
 
-#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -19,7 +18,6 @@ class vtkDataArray;
 class vtkImageData;
 class vtkLight;
 class vtkOpenGLRenderWindow;
-class vtkPlaneCollection;
 class vtkRenderer;
 class vtkSliceMatter;
 class vtkVolume;
@@ -47,10 +45,7 @@ public:
     vtkShadowedSliceSettings Settings;
     /// What the matter is looked up by; null for the scalars.
     vtkSliceMatter* Matter = nullptr;
-    vtkPlaneCollection* ClippingPlanes = nullptr;
-    bool Cropping = false;
-    std::array<double, 6> CroppingPlanes{};
-    int CroppingFlags = 0;
+    ClipRegion::Cuts Cuts;
     /// The scene that the picture is drawn ahead for, and not shown yet; else null.
     SliceScene* Scene = nullptr;
   };

@@ -87,12 +87,11 @@ void AddMatter(std::vector<double>& key, const SliceScatterer::Matter& matter)
   key.insert(key.end(),
     { GetAddress(&frame), static_cast<double>(matter.Versions[0]),
       static_cast<double>(matter.Versions[1]), static_cast<double>(matter.GridSize),
-      Scatters(frame) ? 1.0 : 0.0, frame.Space.Radius, frame.Region.HasCropping ? 1.0 : 0.0,
-      static_cast<double>(frame.Region.CroppingFlags) });
+      Scatters(frame) ? 1.0 : 0.0, frame.Space.Radius });
   Add(key, glm::value_ptr(frame.Space.UnitFromTexture), 16);
-  Add(key, glm::value_ptr(frame.Space.VolumeFromUnit), 16);
-  Add(key, glm::value_ptr(frame.Region.CroppingLower), 3);
-  Add(key, glm::value_ptr(frame.Region.CroppingUpper), 3);
+  Add(key, glm::value_ptr(frame.GradientSteps), 3);
+  const std::vector<double> regions = frame.Region.Regions.GetKey();
+  Add(key, regions.data(), regions.size());
   for (const auto& range : frame.Region.Box)
   {
     Add(key, range.data(), 2);

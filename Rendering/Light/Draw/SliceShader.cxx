@@ -67,7 +67,7 @@ std::string GetMediumFeatures(const SliceFrame& frame)
   features += material.Bends.empty() ? "" : " BENDS";
   features +=
     material.HasEdges() ? " EDGES EDGE_PLACES=" + std::to_string(TransferColumns::EdgePlaces) : "";
-  features += frame.Region.HasCropping ? " CROPPING" : "";
+  features += frame.Region.Regions.HasGaps() ? " CROPPING" : "";
   if (!frame.Region.ClippingPlanes.empty())
   {
     features += " CLIPPING_PLANES=" + std::to_string(frame.Region.ClippingPlanes.size());
@@ -308,12 +308,9 @@ void SetMediumUniforms(vtkShaderProgram* program, const SliceFrame& frame, const
     program->SetUniform4fv(
       "clippingPlanes", static_cast<int>(frame.Region.ClippingPlanes.size()), planes.data());
   }
-  if (frame.Region.HasCropping)
+  if (frame.Region.Regions.HasGaps())
   {
-    SetVector(program, "croppingLower", frame.Region.CroppingLower);
-    SetVector(program, "croppingUpper", frame.Region.CroppingUpper);
-    program->SetUniformi("croppingFlags", frame.Region.CroppingFlags);
-    MatrixUniform::Set(program, "volumeFromUnit", space.VolumeFromUnit);
+    frame.Region.Regions.SetUniforms(program);
   }
 }
 
@@ -554,7 +551,7 @@ std::string SliceShader::GetNames(const SliceFrame& frame, bool isOccluded)
   add(frame.Matter != nullptr, "matter");
   add(!frame.Samples.Mask.empty(), "mask");
   add(!material.GradientOpacity.empty(), "gradient-opacity");
-  add(frame.Region.HasCropping, "cropping");
+  add(frame.Region.Regions.HasGaps(), "cropping");
   add(!frame.Region.ClippingPlanes.empty(), "clipping-planes");
   add(frame.IsCutByNearPlane, "near-plane");
   add(isOccluded, "opaque");

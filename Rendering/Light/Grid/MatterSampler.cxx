@@ -122,18 +122,7 @@ bool MatterSampler::IsLeft(const glm::dvec3& place, const glm::dvec3& inTexture)
       return false;
     }
   }
-  if (!region.HasCropping)
-  {
-    return true;
-  }
-  const glm::dvec3 v = UnitVector::TransformPoint(this->Volume.Space.VolumeFromUnit, place);
-  int flag = 0;
-  for (int axis = 2; axis >= 0; --axis)
-  {
-    flag = 3 * flag + (v[axis] >= region.CroppingLower[axis] ? 1 : 0) +
-      (v[axis] > region.CroppingUpper[axis] ? 1 : 0);
-  }
-  return (region.CroppingFlags >> flag & 1) != 0;
+  return !region.Regions.HasGaps() || region.Regions.IsKept({ { place.x, place.y, place.z } });
 }
 
 double MatterSampler::GetGradient(

@@ -3,60 +3,44 @@
 
 #include "Common/Vectors.h"
 #include "Space/UnitSpace.h"
+#include "Space/UnitVector.h"
 
-#include "vtkImageData.h"
 #include "vtkMath.h"
-#include "vtkMatrix3x3.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
-#include "vtkVolumeMapper.h"
 
 #include <algorithm>
 
 namespace interlume
 {
 
-void ClipRegion::SetWhole(const UnitSpace& space)
+namespace
 {
-  this->Box = space.Box;
-  this->HasCropping = false;
+vtkCroppingRegions::Matrix ToRows(const glm::dmat4& matrix)
+{
+  const glm::dmat4 rows = glm::transpose(matrix);
+  vtkCroppingRegions::Matrix result;
+  std::copy_n(glm::value_ptr(rows), 16, result.begin());
+  return result;
+}
 }
 
-void ClipRegion::Crop(vtkImageData* image, bool isOfCells, const UnitSpace& space,
-  const std::array<double, 6>& croppingPlanes, int flags)
+std::string ClipRegion::Set(const Cuts& cuts, const UnitSpace& space)
 {
-  this->SetWhole(space);
-  this->CroppingFlags = flags;
-  for (int axis = 0; axis < 3; ++axis)
+  this->Box = space.Box;
+  this->ClippingPlanes.clear();
+  this->Regions = vtkCroppingRegions();
+  if (cuts.IsCropped)
   {
-    this->CroppingLower[axis] = croppingPlanes[2 * axis];
-    this->CroppingUpper[axis] = croppingPlanes[2 * axis + 1];
+    this->Regions = vtkCroppingRegions(cuts.CroppingPlanes, cuts.CroppingFlags,
+      ToRows(space.VolumeFromTexture * space.TextureFromUnit));
+    this->Regions.Cut(ToRows(space.VolumeFromTexture), this->Box, this->ClippingPlanes);
   }
-  this->HasCropping = flags != VTK_CROP_SUBVOLUME || !image->GetDirectionMatrix()->IsIdentity();
-  if (this->HasCropping)
-  {
-    return;
-  }
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double first = isOfCells ? 0.0 : 0.5;
-    const auto toTexture = [&](double place)
-    {
-      const double index = (place - image->GetOrigin()[axis]) / image->GetSpacing()[axis] -
-        image->GetExtent()[2 * axis];
-      return (index + first) / space.Size[axis];
-    };
-    const double a = toTexture(this->CroppingLower[axis]);
-    const double b = toTexture(this->CroppingUpper[axis]);
-    std::array<double, 2>& range = this->Box[axis];
-    range[0] = std::max(range[0], std::min(a, b));
-    range[1] = std::min(range[1], std::max(a, b));
-  }
+  return this->Clip(cuts.Planes, space);
 }
 
 std::string ClipRegion::Clip(vtkPlaneCollection* planes, const UnitSpace& space)
 {
-  this->ClippingPlanes.clear();
   for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
   {
     vtkPlane* plane = planes->GetItem(i);

@@ -52,7 +52,8 @@ bool Invert(const glm::dmat3& linear, glm::dmat3& inverse)
 
 }
 
-bool UnitSpace::SetTexels(vtkImageData* image, bool isOfCells, glm::dvec3& middleIndex)
+bool UnitSpace::SetTexels(
+  vtkImageData* image, bool isOfCells, glm::dvec3& firstIndex, glm::dvec3& middleIndex)
 {
   int extent[6];
   image->GetExtent(extent);
@@ -67,10 +68,10 @@ bool UnitSpace::SetTexels(vtkImageData* image, bool isOfCells, glm::dvec3& middl
     const int size = isOfCells && !isFlat ? points - 1 : points;
     const double half = 0.5 / size;
     this->Size[axis] = size;
-    const double indexOfTexture0 = extent[2 * axis] - (isOfCells && !isFlat ? 0.0 : 0.5);
+    firstIndex[axis] = extent[2 * axis] - (isOfCells && !isFlat ? 0.0 : 0.5);
     this->Box[axis] = isOfCells || isFlat ? std::array<double, 2>{ { 0.0, 1.0 } }
                                           : std::array<double, 2>{ { half, 1.0 - half } };
-    middleIndex[axis] = indexOfTexture0 + 0.5 * size;
+    middleIndex[axis] = firstIndex[axis] + 0.5 * size;
   }
   return true;
 }
@@ -93,8 +94,9 @@ void UnitSpace::SetSphere(const glm::dmat4& worldFromTexture, const glm::dvec3& 
 
 std::string UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* worldFromVolume)
 {
+  glm::dvec3 first;
   glm::dvec3 index;
-  if (!this->SetTexels(image, isOfCells, index))
+  if (!this->SetTexels(image, isOfCells, first, index))
   {
     return "the image has no samples";
   }
@@ -111,12 +113,13 @@ std::string UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* wo
   }
 
   glm::dmat4 worldFromTexture = worldFromIndex;
-  glm::dmat4 volumeFromTexture = volumeFromIndex;
+  this->VolumeFromTexture = volumeFromIndex;
   for (int axis = 0; axis < 3; ++axis)
   {
     worldFromTexture[axis] *= this->Size[axis];
-    volumeFromTexture[axis] *= this->Size[axis];
+    this->VolumeFromTexture[axis] *= this->Size[axis];
   }
+  this->VolumeFromTexture[3] = glm::dvec4(TransformPoint(volumeFromIndex, first), 1.0);
   // Places are computed from the middle on, so that nothing cancels far from the origin.
   this->SetSphere(worldFromTexture, TransformPoint(worldFromIndex, index));
   if (!std::isfinite(this->Radius) || !(this->Radius > 0.0) || !std::isfinite(1.0 / this->Radius))
@@ -133,10 +136,8 @@ std::string UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* wo
   const glm::dvec3 middle{ 0.5, 0.5, 0.5 };
   this->UnitFromTexture = MakeAffine(linear, -(linear * middle));
   this->TextureFromUnit = MakeAffine(inverse, middle);
-  this->VolumeFromUnit =
-    MakeAffine(glm::dmat3(volumeFromTexture) * inverse, TransformPoint(volumeFromIndex, index));
   const bool isFinite = IsFinite(this->TextureFromUnit) && IsFinite(this->UnitFromTexture) &&
-    IsFinite(this->VolumeFromUnit);
+    IsFinite(this->VolumeFromTexture);
   return isFinite ? "" : "the matrix of the volume or its image is not finite";
 }
 
@@ -149,7 +150,6 @@ void UnitSpace::MoveTo(const glm::dvec3& center, double radius)
   glm::dmat4 newFromOld(glm::dmat3{ 1.0 / scale });
   newFromOld[3] = glm::dvec4(-moved / scale, 1.0);
   this->TextureFromUnit = this->TextureFromUnit * oldFromNew;
-  this->VolumeFromUnit = this->VolumeFromUnit * oldFromNew;
   this->UnitFromTexture = newFromOld * this->UnitFromTexture;
   this->Center = center;
   this->Radius = radius;

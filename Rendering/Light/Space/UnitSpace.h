@@ -56,14 +56,16 @@ public:
   /// Affine matrices between unit and texture coordinates.
   glm::dmat4 TextureFromUnit{ 0.0 };
   glm::dmat4 UnitFromTexture{ 0.0 };
-  /// The matrix from unit coordinates to the volume's own, for cropping planes.
-  glm::dmat4 VolumeFromUnit{ 0.0 };
+  /// The matrix from texture coordinates to the volume's own, for cropping planes.
+  glm::dmat4 VolumeFromTexture{ 0.0 };
   /// The box that has matter, in texture coordinates: lower and upper of each axis.
   std::array<std::array<double, 2>, 3> Box{};
 
 private:
-  /// Sets Size and Box and finds the index of the middle. Returns whether there are samples.
-  bool SetTexels(vtkImageData* image, bool isOfCells, glm::dvec3& middleIndex);
+  /// Sets Size and Box and finds the indices of texture coordinates 0 and of the middle. Returns
+  /// whether there are samples.
+  bool SetTexels(
+    vtkImageData* image, bool isOfCells, glm::dvec3& firstIndex, glm::dvec3& middleIndex);
   void SetSphere(const glm::dmat4& worldFromTexture, const glm::dvec3& center);
 };
 
