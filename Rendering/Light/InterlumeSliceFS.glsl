@@ -19,6 +19,9 @@ uniform vec3 eyeDirection;
 #ifdef NEAR_PLANE
 uniform vec4 nearPlane;
 #endif
+#ifdef FAR_PLANE
+uniform vec4 farPlane;
+#endif
 #ifdef OPAQUE
 uniform sampler2D opaqueDepth;
 uniform vec2 imageSize;
@@ -186,6 +189,9 @@ void main()
   lower = max(
     lower, -(dot(nearPlane.xyz, place) + nearPlane.w) / dot(nearPlane.xyz, sightline));
 #endif
+#ifdef FAR_PLANE
+  upper = min(upper, -(dot(farPlane.xyz, place) + farPlane.w) / dot(farPlane.xyz, sightline));
+#endif
 #ifdef OPAQUE
   vec2 image = gl_FragCoord.xy / imageSize;
   float window = texture(opaqueDepth, image).r;
@@ -213,13 +219,13 @@ void main()
 #endif
   lower = max(lower, -0.5 * across);
   upper = min(upper, 0.5 * across);
+  cutToRegions(place, sightline, lower, upper);
   if (!(upper > lower))
   {
     discard;
   }
   float middle = 0.5 * (lower + upper);
   sampleAt = place + sightline * middle;
-  cutToRegions(place, sightline, lower, upper);
   vec3 sampleInTexture = p + q * middle;
 #ifdef MATTER
   setSampleSize(sightline, upper - lower, pixelX, pixelY);

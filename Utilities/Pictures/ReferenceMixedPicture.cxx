@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <tuple>
 
@@ -295,9 +294,12 @@ private:
       sight.Direction[k] = static_cast<double>(ray.Direction[k]);
     }
     double begin = static_cast<double>(this->Rays.GetNear() * ray.DistancePerDepth);
-    const double end = this->Scene.OpaqueDistance.empty()
-      ? std::numeric_limits<double>::infinity()
-      : this->Scene.OpaqueDistance[static_cast<std::size_t>(j) * this->Scene.Size[0] + i];
+    double end = static_cast<double>(this->Rays.GetFar() * ray.DistancePerDepth);
+    if (!this->Scene.OpaqueDistance.empty())
+    {
+      end = std::min(
+        end, this->Scene.OpaqueDistance[static_cast<std::size_t>(j) * this->Scene.Size[0] + i]);
+    }
     Gathered gathered;
     for (const Encounter& encounter : this->GetEncounters(sight, begin, end))
     {

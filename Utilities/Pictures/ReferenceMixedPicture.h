@@ -18,8 +18,8 @@ struct MixedScene;
  * Steps end at planes between samples, at planes that crop and clip, at surfaces, and where the
  * optical depth has grown by a tenth; in each, the scattered light is that of two points of Gauss.
  * \a refinement divides the steps, of the shadow rays as well: twice as many show how good a
- * picture is. Cut by the near plane of the camera. By as many threads as vtkSMPTools has; the same
- * for any number.
+ * picture is. Cut by the near and the far plane of the camera. By as many threads as vtkSMPTools
+ * has; the same for any number.
  *
  * std::invalid_argument as ReferenceMedium and ReferenceSurface.
  */

@@ -12,6 +12,7 @@ namespace reference
 PixelRays::PixelRays(vtkCamera* camera, const std::array<int, 2>& size)
   : Size(size)
   , Near(camera->GetClippingRange()[0])
+  , Far(camera->GetClippingRange()[1])
 {
   vtkMatrix4x4* view = camera->GetViewTransformMatrix();
   vtkMatrix4x4* projection =

@@ -53,6 +53,8 @@ public:
   Real GetDepth(const Vector& point) const;
   /// Depth of the near plane.
   Real GetNear() const { return this->Near; }
+  /// Depth of the far plane.
+  Real GetFar() const { return this->Far; }
   /// Where a point is in the picture, in pixels; nothing for one at or behind the eye.
   std::optional<std::array<double, 2>> Project(const Vector& point) const;
 
@@ -66,6 +68,7 @@ private:
   std::array<Vector, 3> Axes;                ///< of the eye's coordinates, in the world
   std::array<std::array<Real, 4>, 4> Matrix; ///< from the eye to the clip coordinates
   Real Near;
+  Real Far;
 };
 
 }

@@ -64,9 +64,15 @@ struct SliceFrame
   /// Unit distance of each row, in world units.
   std::array<double, 4> UnitDistances{ { 1.0, 1.0, 1.0, 1.0 } };
 
-  /// Whether the near plane cuts the volume, and then the plane as a half space in unit space.
-  bool IsCutByNearPlane = false;
-  std::array<double, 4> NearPlane{};
+  /// A plane of the camera: whether it cuts the volume, and the half space that it leaves, in unit
+  /// space.
+  struct ViewPlane
+  {
+    bool IsCutting = false;
+    std::array<double, 4> Plane{};
+  };
+  ViewPlane NearPlane;
+  ViewPlane FarPlane;
 
   /// How light is scattered; the colours of the material are its albedo then.
   SliceScattering Scattering;

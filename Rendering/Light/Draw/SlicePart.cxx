@@ -51,7 +51,7 @@ vtkIdType SlicePart::Cut(const SlicePlan::Sweep& sweep)
   }
   this->Vertices->Upload(vertices, vtkOpenGLBufferObject::ArrayBuffer);
   std::size_t coordinates = vertices.size();
-  if (frame.HasTiles() && !frame.IsCutByNearPlane &&
+  if (frame.HasTiles() && !frame.NearPlane.IsCutting &&
     this->Tiles.Build(sweep, frame.Eye.ClipFromUnit, frame.Size, frame.SmallBlocks, frame.Space,
       frame.Region.Box, GetMargin(sweep)))
   {
@@ -131,11 +131,8 @@ void SlicePart::Draw(
   {
     state->vtkglEnable(GL_DEPTH_TEST);
   }
-  // The rest of a slab may lie behind the near plane while its middle is before it.
-  if (this->Frame->IsCutByNearPlane)
-  {
-    glEnable(GL_DEPTH_CLAMP);
-  }
+  // A part of a slab may lie between the planes of the camera while its middle does not.
+  glEnable(GL_DEPTH_CLAMP);
   const std::vector<std::size_t>& starts = this->GetSeen().GetStarts();
   const double entrance = sweep.First + slab * sweep.Spacing;
   if (this->IsSplit)
@@ -154,10 +151,7 @@ void SlicePart::Draw(
   {
     this->Eye.Draw(window, starts, slab, entrance, number, volumes);
   }
-  if (this->Frame->IsCutByNearPlane)
-  {
-    glDisable(GL_DEPTH_CLAMP);
-  }
+  glDisable(GL_DEPTH_CLAMP);
   state->vtkglDisable(GL_DEPTH_TEST);
 }
 

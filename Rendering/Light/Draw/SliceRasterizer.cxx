@@ -341,8 +341,9 @@ std::string SliceRasterizer::PrepareParts(vtkOpenGLRenderWindow* window, const S
     const SliceFrame& own = part->GetFrame();
     matter.push_back({ &own.Space, own.Region.Box, 0.0 });
     this->HasThickPart = this->HasThickPart || SliceShader::HasThickPart(own, sweepIndex);
-    this->HasMarks =
-      this->HasMarks || this->HasThickPart || SliceShader::HasEmptyPart(own, sweepIndex);
+    // Depths of a slab's middle behind the far plane would not pass the test.
+    this->HasMarks = this->HasMarks || this->HasThickPart ||
+      SliceShader::HasEmptyPart(own, sweepIndex) || own.FarPlane.IsCutting;
   }
   this->Order.Find(frame.Plan.Sweeps[sweepIndex], frame.Eye, frame.Lights, matter);
   this->HasReceivers = frame.Scene && frame.Scene->EyeDepth;

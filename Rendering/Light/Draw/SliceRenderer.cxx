@@ -45,23 +45,13 @@ struct SliceRenderer::WindowResources
 
 namespace
 {
-// Finds the near plane: clip coordinates have z + w >= 0 behind it.
-void FindNearPlane(SliceFrame& frame)
+// Returns the plane that w + sign z >= 0 is behind, in clip coordinates.
+SliceFrame::ViewPlane MakeViewPlane(const glm::dmat4& clipFromUnit, double sign)
 {
-  const glm::dmat4& clip = frame.Eye.ClipFromUnit;
-  double length = 0.0;
-  for (int i = 0; i < 4; ++i)
-  {
-    frame.NearPlane[i] = clip[i][2] + clip[i][3];
-    length += i < 3 ? frame.NearPlane[i] * frame.NearPlane[i] : 0.0;
-  }
-  length = std::sqrt(length);
-  for (double& value : frame.NearPlane)
-  {
-    value /= length;
-  }
+  const glm::dvec4 plane = glm::row(clipFromUnit, 3) + sign * glm::row(clipFromUnit, 2);
+  const glm::dvec4 scaled = plane / glm::length(glm::dvec3(plane));
   // The volume lies in the sphere of radius 1 around 0.
-  frame.IsCutByNearPlane = frame.NearPlane[3] < 1.0;
+  return { scaled.w < 1.0, { { scaled.x, scaled.y, scaled.z, scaled.w } } };
 }
 
 // Returns all of a property that a material is made of. The time of the property itself changes
@@ -101,14 +91,6 @@ std::vector<double> MakeKey(vtkVolumeProperty* property, int components)
 SliceRenderer::SliceRenderer() = default;
 
 SliceRenderer::~SliceRenderer() = default;
-  // Images may share an array that has changed after both of them.
-  if (this->Scalars == request.Scalars && this->SamplesTime == time &&
-    this->Frame.Samples.Size == size && this->IsWidened == isSoftware)
-  {
-    return {};
-  }
-  this->Scalars = nullptr;
-  this->MaterialOwner = nullptr;
 
 std::string SliceRenderer::UpdateSamples(const Request& request, bool isSoftware)
 {
@@ -119,6 +101,14 @@ std::string SliceRenderer::UpdateSamples(const Request& request, bool isSoftware
   {
     size[axis] = request.IsOfCells ? std::max(dimensions[axis] - 1, 1) : dimensions[axis];
   }
+  // Images may share an array that has changed after both of them.
+  if (this->Scalars == request.Scalars && this->SamplesTime == time &&
+    this->Frame.Samples.Size == size && this->IsWidened == isSoftware)
+  {
+    return {};
+  }
+  this->Scalars = nullptr;
+  this->MaterialOwner = nullptr;
   std::string error = this->Frame.Samples.Build(request.Scalars, size, isSoftware);
   if (error.empty())
   {
@@ -341,7 +331,8 @@ void SliceRenderer::UpdateView(vtkRenderer* renderer, vtkVolume* volume, const R
   { return std::max(static_cast<int>(std::lround(size / report.ImageSampleDistance)), 1); };
   frame.Size = { { toPixels(width), toPixels(height) } };
   frame.Eye = UnitSpaceCamera::Get(renderer, frame.Space);
-  FindNearPlane(frame);
+  frame.NearPlane = MakeViewPlane(frame.Eye.ClipFromUnit, 1.0);
+  frame.FarPlane = MakeViewPlane(frame.Eye.ClipFromUnit, -1.0);
   frame.Lights = LightSources::Gather(renderer, frame.Space,
     { request.Settings.Shadows && !renderer->GetSelector(),
       request.Settings.MaximumNumberOfShadows },

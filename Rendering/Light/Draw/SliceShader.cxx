@@ -453,7 +453,8 @@ std::string SliceShader::GetEyeSource(
   features += part == ALL ? "" : " LEAST_DEPTH=" + std::to_string(LeastDepth);
   features += frame.IsSmoothLookup ? "" : " NEAREST_LIGHT";
   features += frame.Eye.IsParallel ? "" : " PERSPECTIVE";
-  features += frame.IsCutByNearPlane ? " NEAR_PLANE" : "";
+  features += frame.NearPlane.IsCutting ? " NEAR_PLANE" : "";
+  features += frame.FarPlane.IsCutting ? " FAR_PLANE" : "";
   features += isOccluded ? " OPAQUE" : "";
   features += frame.Scene && frame.Scene->FrontDepth ? " FRONT" : "";
   features += frame.Material.Kind == MaterialTable::RGB_OPACITY ? " RGB" : "";
@@ -553,7 +554,8 @@ std::string SliceShader::GetNames(const SliceFrame& frame, bool isOccluded)
   add(!material.GradientOpacity.empty(), "gradient-opacity");
   add(frame.Region.Regions.HasGaps(), "cropping");
   add(!frame.Region.ClippingPlanes.empty(), "clipping-planes");
-  add(frame.IsCutByNearPlane, "near-plane");
+  add(frame.NearPlane.IsCutting, "near-plane");
+  add(frame.FarPlane.IsCutting, "far-plane");
   add(isOccluded, "opaque");
   add(frame.IsShaded, "shade");
   add(frame.IsShaded && frame.TwoSidedLighting, "two-sided");
@@ -598,9 +600,13 @@ void SliceShader::SetEyeUniforms(
   {
     SetVector(program, "eyePosition", frame.Eye.Position);
   }
-  if (frame.IsCutByNearPlane)
+  if (frame.NearPlane.IsCutting)
   {
-    SetVector(program, "nearPlane", frame.NearPlane);
+    SetVector(program, "nearPlane", frame.NearPlane.Plane);
+  }
+  if (frame.FarPlane.IsCutting)
+  {
+    SetVector(program, "farPlane", frame.FarPlane.Plane);
   }
   if (isOccluded)
   {
