@@ -3,6 +3,7 @@
 
 #include "Common/AbortCheck.h"
 #include "Common/ArrayCheck.h"
+#include "Common/GlobalIds.h"
 #include "Common/GridCheck.h"
 #include "Common/IntervalCheck.h"
 #include "Common/NamedValue.h"
@@ -289,6 +290,9 @@ std::string vtkFlowVolume::CheckParameters(vtkDataSet* input, bool usesInflow) c
     interlume::ImplicitFlowArrays::CheckArray(input, vtkFlowStatus::TimeArray(), 1);
   wrong = wrong.empty()
     ? interlume::ArrayCheck::MakeSentence(interlume::GridCheck::Find(input))
+    : wrong;
+  wrong = wrong.empty()
+    ? interlume::ArrayCheck::MakeSentence(interlume::GlobalIds::FindFault(input))
     : wrong;
   if (wrong.empty() && usesInflow)
   {

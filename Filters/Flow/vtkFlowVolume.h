@@ -93,7 +93,8 @@ class VolumeExtraction;
  * extraction.
  *
  * Errors (vtkErrorMacro, empty outputs): arrays that are missing or of the wrong shape, lower >
- * upper, start > end, bounds that are not finite, more than 10000 intervals between surfaces.
+ * upper, start > end, bounds that are not finite, more than 10000 intervals between surfaces,
+ * global ids that are not one integer for each point.
  *
  * @sa vtkImplicitFlowField vtkInflowMapping vtkStreamSurfaceParameters
  */

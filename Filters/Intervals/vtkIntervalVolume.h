@@ -68,14 +68,14 @@ struct WholePass;
  * another interval begins, and none if it is inside. Triangles of [a, a] are of the lower side
  * where the cell beyond has a value below a, else of the upper one.
  *
- * Pieces of a distributed grid: unstructured ones need global ids in the point data, by which
- * shared faces are cut alike; without them each piece goes by its own ids, and quadrilaterals
- * between two pieces may be cut both ways. Where one of several pieces is asked for, a layer of
- * ghost cells is asked of the input: by them what lies in a face between two pieces, where f equals
- * a bound throughout, is settled as in the whole, and all pieces together have the same simplices
- * to the last bit. Nothing of ghost cells is in the output. Of an input that gives none, such as a
- * file of pieces without them, a face between two pieces is one of the domain for both; and so it
- * is where f equals a bound of a criterion.
+ * Pieces of a distributed grid: unstructured ones need global ids in the point data, integers of
+ * any type, by which shared faces are cut alike; without them each piece goes by its own ids, and
+ * quadrilaterals between two pieces may be cut both ways. Where one of several pieces is asked for,
+ * a layer of ghost cells is asked of the input: by them what lies in a face between two pieces,
+ * where f equals a bound throughout, is settled as in the whole, and all pieces together have the
+ * same simplices to the last bit. Nothing of ghost cells is in the output. Of an input that gives
+ * none, such as a file of pieces without them, a face between two pieces is one of the domain for
+ * both; and so it is where f equals a bound of a criterion.
  *
  * Whole cells (KeepWholeCells): of each interval the same region, in fewer cells. A cell that is
  * wholly inside an interval, all corners and, of a polyhedron, all points, and within all criteria,
@@ -102,7 +102,8 @@ struct WholePass;
  * intervals share it. The same input gives the same bytes whatever the number of threads.
  *
  * Errors (vtkErrorMacro, empty output): no scalar array of that name, more than one component, a
- * string array, lower > upper, a bound that is not finite or was given as a word.
+ * string array, lower > upper, a bound that is not finite or was given as a word, global ids that
+ * are not one integer for each point.
  *
  * Warning (vtkWarningMacro, once for a composite input): an empty output and why, see
  * WarnOnEmptyOutput; a criterion that leaves nothing is a reason too. Warnings for each dataset:

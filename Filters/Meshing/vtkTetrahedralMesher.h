@@ -24,11 +24,11 @@ struct MeshingJob;
  *   decomposed. Polyhedra may be concave and their faces may be concave or not planar. The mesh is
  *   conforming: a face is cut into triangles by a rule that depends on its own points alone, so two
  *   cells agree on the face they share, whatever their types, and no face or edge gets a new point.
- *   (The order of the points is that of the point data's global ids where there are some, else of
- *   the point ids.) A cell that is not convex may get new points inside. The bounds below do not
- *   apply. Tetrahedra, voxels, hexahedra, wedges, pyramids, pentagonal and hexagonal prisms and
- * polyhedra are taken; other cells, ghosts and hidden cells are left out and counted in
- * GetReport().
+ *   (The order of the points is that of the point data's global ids, integers of any type, if there
+ *   are some, otherwise of the point ids.) A cell that is not convex may get new points inside. The
+ * bounds below do not apply. Tetrahedra, voxels, hexahedra, wedges, pyramids, pentagonal and
+ * hexagonal prisms and polyhedra are taken; other cells, ghosts and hidden cells are left out and
+ * counted in GetReport().
  * - Polygons, and no such cells (vtkPolyData; triangles, quads, polygons, pixels and strips): the
  *   space within the closed surface is filled. Several shells may lie beside and within each other;
  *   see FillNestedShells. Points in exactly the same place count as one. Vertices and lines are not
@@ -59,10 +59,11 @@ struct MeshingJob;
  * Errors (vtkErrorMacro, empty output), with the number of the cell or point: a coordinate that is
  * not finite; a surface that is open or intersects itself; a polygon that meets itself or has no
  * area; points in one plane; a cell without volume, with faces that are not closed, or that cannot
- * be decomposed; TetGen's own failures. Warnings: tetrahedra that exceed a bound, next to small
- * angles of the input or where PreserveBoundary or MaximumNumberOfAddedPoints leaves no choice;
- * cells of a type that is not taken; an output without tetrahedra and why, once for a composite
- * input, unless WarnOnEmptyOutput is off or it is one piece of several.
+ * be decomposed; global ids that are not one integer for each point; TetGen's own failures.
+ * Warnings: tetrahedra that exceed a bound, next to small angles of the input or where
+ * PreserveBoundary or MaximumNumberOfAddedPoints leaves no choice; cells of a type that is not
+ * taken; an output without tetrahedra and why, once for a composite input, unless WarnOnEmptyOutput
+ * is off or it is one piece of several.
  *
  * TetGen is under the AGPL: this module is optional (INTERLUME_ENABLE_TETGEN).
  *

@@ -2,6 +2,8 @@
 // The cells of grids: concave polyhedra with concave faces that are not planar, beside every other
 // cell, become positive tetrahedra that fit together and fill what the cells fill.
 #include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Meshes/ReferenceBlocks.h"
 #include "Reference/Meshes/ReferenceField.h"
 #include "Reference/Meshes/ReferenceMesh.h"
 #include "Reference/Meshes/ReferenceMeshBuilder.h"
@@ -112,6 +114,42 @@ void CheckGlobalIds(Check& check)
   CheckMesh(mesh, 32.0L, check);
 }
 
+/// Two blocks with orders of their own cut the faces between them alike by ids of any type.
+void CheckBlocks(Check& check)
+{
+  std::vector<IdStorage> storages = AllIdStorages();
+  storages.push_back({ VTK_VOID, false });
+  for (const IdStorage& ids : storages)
+  {
+    check.SetContext("blocks with ids of type " + std::to_string(ids.Type));
+    int different = 0;
+    for (unsigned int seed = 1; seed <= 6; ++seed)
+    {
+      std::multiset<std::vector<std::array<double, 4>>> faces[2];
+      const auto blocks = MakeBlocks(MeshKind::Hexahedra, 0, seed, ids);
+      for (int side = 0; side < 2; ++side)
+      {
+        vtkNew<vtkTetrahedralMesher> mesher;
+        mesher->SetInputDataObject(blocks[side]);
+        mesher->Update();
+        faces[side] = FacesBetweenBlocks(mesher->GetOutput(), 0);
+      }
+      check.That(!faces[0].empty(), "there are faces");
+      different += faces[0] != faces[1];
+    }
+    check.That((different > 0) == (ids.Type == VTK_VOID),
+      "orders in which faces differ: " + std::to_string(different));
+  }
+  check.SetContext("wrong ids");
+  const auto block = MakeBlocks(MeshKind::Hexahedra, 0, 1, { VTK_INT, false })[0];
+  block->GetPointData()->GetGlobalIds()->SetNumberOfTuples(17);
+  vtkNew<vtkTetrahedralMesher> mesher;
+  mesher->SetInputDataObject(block);
+  const std::string message = MessagesOf(mesher);
+  check.That(message.find("\"ids\" has 17 tuples; 18 are needed") != std::string::npos,
+    "too few are reported: " + message);
+}
+
 /// A prism over a polygon in the plane, its points listed counterclockwise.
 vtkSmartPointer<vtkUnstructuredGrid> MakePrism(
   const std::vector<std::array<double, 2>>& polygon, double twist = 0.0)
@@ -215,6 +253,7 @@ int TestTetrahedralMesherCells(int, char*[])
   CheckKinds(check);
   CheckConcave(check);
   CheckGlobalIds(check);
+  CheckBlocks(check);
   CheckSingle(check);
   CheckArrays(check);
   return check.Result();

@@ -2,6 +2,7 @@
 #include "Volumes/CutGrid.h"
 
 #include "Common/Blanking.h"
+#include "Common/GlobalIds.h"
 #include "Samples/BeyondSamples.h"
 #include "Samples/ImplicitFlowArrays.h"
 #include "Volumes/InterpolableCells.h"
@@ -143,9 +144,9 @@ void CutGrid::AddPoints(vtkDataSet* input, const BeyondSamples& beyond,
   vtkPointSet* set = vtkPointSet::SafeDownCast(input);
   points->SetDataType(set ? set->GetPoints()->GetDataType() : VTK_DOUBLE);
   points->SetNumberOfPoints(number);
-  vtkDataArray* globalIds = from->GetGlobalIds();
+  const vtkSmartPointer<GlobalIds::Array> globalIds = GlobalIds::Get(from);
   vtkNew<vtkIdTypeArray> ids;
-  ids->SetName(globalIds ? globalIds->GetName() : IdArray());
+  ids->SetName(globalIds ? from->GetGlobalIds()->GetName() : IdArray());
   ids->SetNumberOfValues(number);
   const auto first = static_cast<vtkIdType>(
     globalIds ? globalIds->GetRange()[1] + 1.0 : static_cast<double>(input->GetNumberOfPoints()));
@@ -154,8 +155,7 @@ void CutGrid::AddPoints(vtkDataSet* input, const BeyondSamples& beyond,
     const Point& point = this->Points[static_cast<std::size_t>(p)];
     points->SetPoint(p, input->GetPoint(point.Sample));
     to->CopyData(from, point.Kind == BeyondSamples::UNKNOWN ? point.Other : point.Sample, p);
-    const auto own =
-      globalIds ? static_cast<vtkIdType>(globalIds->GetComponent(point.Sample, 0)) : point.Sample;
+    const auto own = globalIds ? globalIds->GetValue(point.Sample) : point.Sample;
     ids->SetValue(p, point.Kind == BeyondSamples::OWN ? own : first + p);
   }
   this->SetValues(input, beyond, arrays, to);

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grid/CornerOrder.h"
 
-#include "vtkIdTypeArray.h"
-#include "vtkPointData.h"
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -78,9 +75,9 @@ void RankKeys(const vtkIdType* keys, int number, vtkIsotable::Slot* ranks)
 }
 
 CornerOrder::CornerOrder(vtkPointData* points)
+  : Array(GlobalIds::Get(points))
+  , Keys(Array ? Array->GetPointer(0) : nullptr)
 {
-  vtkIdTypeArray* ids = vtkIdTypeArray::SafeDownCast(points->GetGlobalIds());
-  this->GlobalIds = ids ? ids->GetPointer(0) : nullptr;
 }
 
 void CornerOrder::Rank(const vtkIdType* ids, int number, vtkIsotable::Slot* ranks) const

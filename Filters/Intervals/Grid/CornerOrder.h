@@ -2,14 +2,14 @@
 #ifndef interlume_CornerOrder_h
 #define interlume_CornerOrder_h
 
+#include "Common/GlobalIds.h"
+
 #include "vtkIsotable.h"
 #include "vtkSMPTools.h"
 #include "vtkType.h"
 
 #include <cstddef>
 #include <utility>
-
-class vtkPointData;
 
 namespace interlume
 {
@@ -24,15 +24,15 @@ namespace interlume
 class CornerOrder
 {
 public:
-  /// Makes the order; \a points is kept by the caller.
+  /// Makes the order. Global ids that are not of vtkIdType are copied.
   explicit CornerOrder(vtkPointData* points);
 
   /// Returns whether it is the order of the point ids.
-  bool IsById() const { return this->GlobalIds == nullptr; }
+  bool IsById() const { return this->Keys == nullptr; }
 
   bool IsBefore(vtkIdType a, vtkIdType b) const
   {
-    return this->GlobalIds ? this->GlobalIds[a] < this->GlobalIds[b] : a < b;
+    return this->Keys ? this->Keys[a] < this->Keys[b] : a < b;
   }
 
   bool IsAscending(const vtkIdType* ids, int number) const
@@ -75,7 +75,7 @@ public:
   template <typename Point>
   void SortHalfway(Point* points, std::size_t number, vtkIdType split = VTK_ID_MAX) const
   {
-    vtkSMPTools::For(0, this->GlobalIds ? static_cast<vtkIdType>(number) : 0,
+    vtkSMPTools::For(0, this->Keys ? static_cast<vtkIdType>(number) : 0,
       [&](vtkIdType first, vtkIdType last)
       { this->SortHalfwayInThread(points + first, points + last, split); });
   }
@@ -91,7 +91,7 @@ public:
         ? this->IsBefore(isSecond ? a - split : a, isSecond ? b - split : b)
         : !isSecond;
     };
-    for (Point* point = first; this->GlobalIds && point != last; ++point)
+    for (Point* point = first; this->Keys && point != last; ++point)
     {
       if (point->Weight == 0.5 && isBefore(point->Far, point->Near))
       {
@@ -104,11 +104,11 @@ private:
   // Returns the numbers that corners are ordered by, which may be put into \a room.
   const vtkIdType* GetKeys(const vtkIdType* ids, int number, vtkIdType* room) const
   {
-    for (int v = 0; this->GlobalIds && v < number; ++v)
+    for (int v = 0; this->Keys && v < number; ++v)
     {
-      room[v] = this->GlobalIds[ids[v]];
+      room[v] = this->Keys[ids[v]];
     }
-    return this->GlobalIds ? room : ids;
+    return this->Keys ? room : ids;
   }
 
   // A known number needs no loop.
@@ -128,8 +128,9 @@ private:
   void TurnWedge(vtkIdType* ids) const;
   void TurnHexahedron(vtkIdType* ids) const;
 
+  vtkSmartPointer<GlobalIds::Array> Array;
   // The global id of each point, or null.
-  const vtkIdType* GlobalIds;
+  const vtkIdType* Keys;
 };
 
 }

@@ -3,17 +3,20 @@
 
 #include "Arrays/ExtractionArrays.h"
 #include "Common/ArrayCheck.h"
+#include "Common/GlobalIds.h"
 #include "Common/GridCheck.h"
 #include "Common/IntervalCheck.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkExtractionReport.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
 
 #include <algorithm>
@@ -26,6 +29,23 @@ namespace interlume
 
 namespace
 {
+// Returns which of some arrays has fewer tuples than there are \a number things, or an empty
+// string: it would be read past its end.
+std::string FindShortArray(vtkDataSetAttributes* arrays, vtkIdType number, const char* thing)
+{
+  for (int a = 0; a < arrays->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* array = arrays->GetAbstractArray(a);
+    if (array->GetNumberOfTuples() < number)
+    {
+      return ArrayCheck::Describe(array) + " has " +
+        ArrayCheck::Count(array->GetNumberOfTuples(), "tuple") + "; " + std::to_string(number) +
+        " are needed, one for each " + thing;
+    }
+  }
+  return {};
+}
+
 // Returns the least distance of two coordinates that follow each other and differ; 0 where there is
 // none.
 double FindLeastStep(vtkDataArray* coordinates)
@@ -50,7 +70,16 @@ std::string ExtractionInput::CheckScalars(
   }
   std::string wrong = ArrayCheck::FindPlaceFault(array, association);
   wrong = wrong.empty() ? ArrayCheck::FindPointFault(input, array, 1) : wrong;
-  return ArrayCheck::MakeSentence(wrong.empty() ? GridCheck::Find(input) : wrong);
+  wrong = wrong.empty() ? GridCheck::Find(input) : wrong;
+  // Grids of rows are cut in the order of their points.
+  int dimensions[3];
+  const bool usesIds = !ExtractionArrays::GetRowDimensions(input, dimensions);
+  wrong = wrong.empty() && usesIds ? GlobalIds::FindFault(input) : wrong;
+  wrong = wrong.empty() ? FindShortArray(input->GetPointData(), input->GetNumberOfPoints(), "point")
+                        : wrong;
+  return ArrayCheck::MakeSentence(wrong.empty()
+      ? FindShortArray(input->GetCellData(), input->GetNumberOfCells(), "cell")
+      : wrong);
 }
 
 std::string ExtractionInput::CheckIntervals(const std::vector<std::array<double, 2>>& intervals)

@@ -2,6 +2,7 @@
 #include "Static/ExtractionLinearizer.h"
 
 #include "Arrays/ExtractionArrays.h"
+#include "Common/GlobalIds.h"
 #include "Common/GridCells.h"
 #include "Common/Vectors.h"
 #include "Grid/CellCorners.h"
@@ -42,7 +43,7 @@ public:
   Linearizer(vtkDataSet* input, std::vector<vtkIdType>& cellIds)
     : Input(input)
     , CellIds(cellIds)
-    , GlobalIds(vtkIdTypeArray::SafeDownCast(input->GetPointData()->GetGlobalIds()))
+    , Order(GlobalIds::Get(input->GetPointData()))
   {
   }
 
@@ -183,7 +184,7 @@ private:
 
   vtkIdType GetOrder(vtkIdType point) const
   {
-    return this->GlobalIds ? this->GlobalIds->GetValue(point) : point;
+    return this->Order ? this->Order->GetValue(point) : point;
   }
 
   void AddPolyhedron(vtkIdType cell, const std::vector<Face>& faces)
@@ -420,18 +421,18 @@ private:
   // A centre comes after all points in the order, as its id does.
   void AddOrder(vtkIdType before, vtkIdType after)
   {
-    if (!this->GlobalIds)
+    if (!this->Order)
     {
       return;
     }
     vtkNew<vtkIdTypeArray> ids;
-    ids->SetName(this->GlobalIds->GetName());
+    ids->SetName(this->Input->GetPointData()->GetGlobalIds()->GetName());
     ids->SetNumberOfValues(after);
     vtkIdType highest = 0;
     for (vtkIdType p = 0; p < before; ++p)
     {
-      ids->SetValue(p, this->GlobalIds->GetValue(p));
-      highest = std::max(highest, this->GlobalIds->GetValue(p));
+      ids->SetValue(p, this->Order->GetValue(p));
+      highest = std::max(highest, this->Order->GetValue(p));
     }
     std::iota(ids->GetPointer(before), ids->GetPointer(before) + (after - before), highest + 1);
     this->Output->GetPointData()->SetGlobalIds(ids);
@@ -439,7 +440,8 @@ private:
 
   vtkDataSet* Input;
   std::vector<vtkIdType>& CellIds;
-  vtkIdTypeArray* GlobalIds;
+  // The global ids, or null.
+  vtkSmartPointer<GlobalIds::Array> Order;
   vtkNew<vtkUnstructuredGrid> Output;
   vtkNew<vtkGenericCell> Generic;
   // The vertices of each coned polyhedron.

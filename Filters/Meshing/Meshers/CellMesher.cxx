@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Meshers/CellMesher.h"
 
+#include "Common/GlobalIds.h"
 #include "Common/Vectors.h"
 #include "Shells/CellDecomposition.h"
 #include "Shells/CellShell.h"
@@ -10,7 +11,6 @@
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -23,7 +23,7 @@ namespace
 {
 FaceTriangulation MakeTriangulation(vtkDataSet* input)
 {
-  vtkIdTypeArray* globalIds = vtkIdTypeArray::SafeDownCast(input->GetPointData()->GetGlobalIds());
+  const vtkSmartPointer<GlobalIds::Array> globalIds = GlobalIds::Get(input->GetPointData());
   return FaceTriangulation(
     [input](vtkIdType p)
     {
@@ -75,6 +75,11 @@ void AddCell(vtkIdType cell, const CellShell& shell, const CellDecomposition& de
 std::string CellMesher::Execute(MeshingJob& job)
 {
   vtkDataSet* input = job.Input;
+  const std::string wrongIds = ArrayCheck::MakeSentence(GlobalIds::FindFault(input));
+  if (!wrongIds.empty())
+  {
+    return wrongIds;
+  }
   const FaceTriangulation triangulation = MakeTriangulation(input);
   vtkUnsignedCharArray* ghosts = input->GetCellGhostArray();
   constexpr unsigned char leftOut =
