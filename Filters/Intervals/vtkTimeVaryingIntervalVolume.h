@@ -44,7 +44,8 @@ class TimeVaryingRun;
  * - point array `Time` (double): the time of a point; at the thick point the mean over DeltaT;
  * - every point array that all steps have, interpolated; at the thick point its mean over DeltaT.
  *   Integers come out as float (8 and 16 bits) or double. An array that a step lacks, or that is
- *   named as one of the two above, is left out with a warning;
+ *   named as one of the two above, is left out with a warning. Arrays without a name correspond by
+ *   their role (scalars, vectors, ...), or else by their order;
  * - cell arrays `SimplexClass` (unsigned char, see SimplexClasses), `IntervalId` (int), `TimeSlab`
  *   (int; slab i lies between steps i and i+1 of those that are taken). The input's cell arrays
  * belong to one step each, and are not carried.

@@ -33,7 +33,8 @@ bool AreIds(vtkPVDataInformation* data, vtkPVArrayInformation* array, int associ
       [&](int kind)
       {
         vtkPVArrayInformation* ids = attributes->GetAttributeInformation(kind);
-        return ids && std::strcmp(ids->GetName(), array->GetName()) == 0;
+        return ids && ids->GetName() && array->GetName() &&
+          std::strcmp(ids->GetName(), array->GetName()) == 0;
       });
 }
 

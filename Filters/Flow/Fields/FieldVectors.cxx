@@ -31,9 +31,11 @@ std::string DescribeVectors(vtkDataSet* data)
   for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = data->GetPointData()->GetArray(i);
-    if (array && array->GetNumberOfComponents() == 3 && array->GetName())
+    if (array && array->GetNumberOfComponents() == 3)
     {
-      names += std::string(names.empty() ? "\"" : ", \"") + array->GetName() + "\"";
+      names += names.empty() ? "" : ", ";
+      names +=
+        array->GetName() ? "\"" + std::string(array->GetName()) + "\"" : "one without a name";
     }
   }
   return names.empty() ? "It has no point array of three components."

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/SurfaceCuts.h"
 
+#include "Common/ArrayMatch.h"
 #include "Numerics/BracketedRoot.h"
 #include "Volumes/ParameterSeams.h"
 #include "Volumes/SimplexPoints.h"
@@ -75,7 +76,7 @@ void Rename(vtkUnstructuredGrid* mesh, const char* before, const char* after)
   mesh->GetCellData()->AddArray(renamed);
 }
 
-// Appends to the arrays of \a first the tuples \a ids of the arrays of the same names.
+// Appends to the arrays of \a first the tuples \a ids of the corresponding arrays.
 void Append(vtkDataSetAttributes* first, vtkIdType number, vtkDataSetAttributes* second,
   const std::vector<vtkIdType>& ids, vtkDataSetAttributes* all)
 {
@@ -86,8 +87,7 @@ void Append(vtkDataSetAttributes* first, vtkIdType number, vtkDataSetAttributes*
   for (int a = 0; a < all->GetNumberOfArrays(); ++a)
   {
     vtkAbstractArray* array = all->GetAbstractArray(a);
-    vtkAbstractArray* other =
-      array->GetName() ? second->GetAbstractArray(array->GetName()) : nullptr;
+    vtkAbstractArray* other = ArrayMatch::Find(all, array, second);
     array->SetNumberOfTuples(number + added);
     for (vtkIdType i = 0; i < added; ++i)
     {
@@ -148,7 +148,8 @@ void CorrectPoints(vtkUnstructuredGrid* whole, vtkUnstructuredGrid* cut)
   for (int i = 0; i < to->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = to->GetArray(i);
-    vtkDataArray* before = array && array->GetName() ? from->GetArray(array->GetName()) : nullptr;
+    vtkDataArray* before =
+      array ? vtkDataArray::SafeDownCast(ArrayMatch::Find(to, array, from)) : nullptr;
     if (before && before->GetNumberOfComponents() == array->GetNumberOfComponents())
     {
       arrays.emplace_back(before, array);

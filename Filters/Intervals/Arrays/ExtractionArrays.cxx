@@ -2,6 +2,7 @@
 #include "Arrays/ExtractionArrays.h"
 
 #include "Arrays/RowCoordinates.h"
+#include "Common/ArrayMatch.h"
 #include "Output/Interpolation.h"
 #include "Output/ThreadGrain.h"
 
@@ -309,7 +310,7 @@ int ExtractionArrays::InterpolatePointData(vtkPointData* first, vtkPointData* se
   for (int a = 0; a < first->GetNumberOfArrays(); ++a)
   {
     vtkAbstractArray* in = first->GetAbstractArray(a);
-    vtkAbstractArray* inSecond = first == second ? in : second->GetAbstractArray(in->GetName());
+    vtkAbstractArray* inSecond = first == second ? in : ArrayMatch::Find(first, in, second);
     if (!IsCarried(first, in) || !IsAlike(in, inSecond))
     {
       continue;
@@ -332,6 +333,10 @@ int ExtractionArrays::InterpolatePointData(vtkPointData* first, vtkPointData* se
       }
     }
     AddLike(first, in, output, out);
+    if (first != second)
+    {
+      out->SetName(ArrayMatch::GetKey(first, in).c_str());
+    }
     ++number;
   }
   return number;

@@ -42,7 +42,8 @@ public:
 
   /**
    * Interpolates the point arrays from two grids of \a split points each, where ids from \a split
-   * on are points of the second: the arrays that both have, by name.
+   * on are points of the second: the arrays that correspond in both. Their names are keys
+   * (ArrayMatch), so that those of several calls can be told apart too.
    */
   static int InterpolatePointData(vtkPointData* first, vtkPointData* second, vtkIdType split,
     const ExtractionBuffer<ExtractionPoint>& points, vtkPointData* output);

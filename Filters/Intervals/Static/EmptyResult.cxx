@@ -2,6 +2,7 @@
 #include "Static/EmptyResult.h"
 
 #include "Arrays/ExtractionArrays.h"
+#include "Common/ArrayCheck.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCell.h"
@@ -125,7 +126,7 @@ void EmptyResult::Add(vtkDataSet* input, vtkDataArray* scalars, vtkIdType simpli
     if (scalars)
     {
       this->Scalars.emplace_back(scalars);
-      this->ScalarsName = scalars->GetName() ? scalars->GetName() : "";
+      this->ScalarsName = (scalars->GetName() ? "the " : "") + ArrayCheck::Describe(scalars);
     }
   }
 }
@@ -209,14 +210,13 @@ std::string EmptyResult::ExplainByData(const std::string& sought)
         << " cells is three-dimensional; a surface, lines or points have no such region.";
     return why.str();
   }
-  const std::string name = "array \"" + this->ScalarsName + "\"";
   if (this->Values.IsEmpty())
   {
-    why << "the " << name << " has no finite value.";
+    why << this->ScalarsName << " has no finite value.";
   }
   else
   {
-    why << "no cell that counts meets " << sought << "; the " << name << " goes from "
+    why << "no cell that counts meets " << sought << "; " << this->ScalarsName << " goes from "
         << this->Values.Least << " to " << this->Values.Largest
         << ". (Blanked, hidden and ghost cells, and those with values that are not finite, do not "
            "count.)";

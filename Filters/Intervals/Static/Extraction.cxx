@@ -3,6 +3,7 @@
 
 #include "Arrays/ExtractionArrays.h"
 #include "Arrays/PointArrays.h"
+#include "Common/ArrayMatch.h"
 #include "Common/GridCells.h"
 #include "Grid/WholeCells.h"
 #include "Pass/ExtractionCleanup.h"
@@ -148,8 +149,8 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
     report.ConcavePolyhedra = linear->NumberOfConcave;
     context.Input = linear->Grid;
     GhostCells::SetBlanking(linear->Grid, context);
-    vtkDataArray* carried = linear->Grid->GetPointData()->GetArray(scalars->GetName());
-    scalars = carried ? carried : scalars;
+    scalars = vtkDataArray::SafeDownCast(
+      ArrayMatch::Find(input->GetPointData(), scalars, linear->Grid->GetPointData()));
   }
   const vtkSmartPointer<vtkDataArray> contiguous = ExtractionDispatch::MakeContiguous(scalars);
   context.Scalars = contiguous;

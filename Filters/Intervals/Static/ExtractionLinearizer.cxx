@@ -2,6 +2,7 @@
 #include "Static/ExtractionLinearizer.h"
 
 #include "Arrays/ExtractionArrays.h"
+#include "Common/ArrayMatch.h"
 #include "Common/GlobalIds.h"
 #include "Common/GridCells.h"
 #include "Common/Vectors.h"
@@ -397,14 +398,21 @@ private:
     {
       vtkDataArray* array = to->GetArray(a);
       vtkDataArray* source =
-        array ? vtkDataArray::SafeDownCast(from->GetAbstractArray(array->GetName())) : nullptr;
-      for (vtkIdType p = before; source && p < after; ++p)
+        array ? vtkDataArray::SafeDownCast(ArrayMatch::Find(to, array, from)) : nullptr;
+      if (source)
       {
-        for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-        {
-          array->SetComponent(p, c, this->GetMean(source, this->Centers[p - before], c));
-        }
+        this->FillMeans(source, array, before);
       }
+    }
+    if (vtkDataArray* ids = vtkDataArray::SafeDownCast(from->GetPedigreeIds()))
+    {
+      // They may be the scalar.
+      const auto extended = vtk::TakeSmartPointer(ids->NewInstance());
+      extended->DeepCopy(ids);
+      extended->Resize(after);
+      extended->SetNumberOfTuples(after);
+      this->FillMeans(ids, extended, before);
+      to->SetPedigreeIds(extended);
     }
     this->AddOrder(before, after);
     if (vtkUnsignedCharArray* ghosts = this->Input->GetPointGhostArray())
@@ -415,6 +423,19 @@ private:
       copy->SetNumberOfValues(after);
       std::fill_n(copy->GetPointer(before), after - before, static_cast<unsigned char>(0));
       to->AddArray(copy);
+    }
+  }
+
+  // Sets the tuples from \a before on, those of the centers.
+  void FillMeans(vtkDataArray* source, vtkDataArray* array, vtkIdType before) const
+  {
+    for (std::size_t center = 0; center < this->Centers.size(); ++center)
+    {
+      for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+      {
+        array->SetComponent(before + static_cast<vtkIdType>(center), c,
+          this->GetMean(source, this->Centers[center], c));
+      }
     }
   }
 

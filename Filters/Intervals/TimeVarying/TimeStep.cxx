@@ -2,6 +2,7 @@
 #include "TimeVarying/TimeStep.h"
 
 #include "Arrays/ExtractionArrays.h"
+#include "Common/ArrayMatch.h"
 #include "Common/GridCells.h"
 #include "Pass/GhostCells.h"
 #include "Scalars/ExtractionDispatch.h"
@@ -129,8 +130,8 @@ TimeStep::TimeStep(vtkDataSet* input, vtkDataArray* scalars, double time, bool i
   {
     std::vector<vtkIdType> cellIds;
     this->Grid = ExtractionLinearizer::Execute(input, cellIds, this->NumberOfConcave);
-    vtkDataArray* carried = this->Grid->GetPointData()->GetArray(scalars->GetName());
-    scalars = carried ? carried : scalars;
+    scalars = vtkDataArray::SafeDownCast(
+      ArrayMatch::Find(input->GetPointData(), scalars, this->Grid->GetPointData()));
   }
   else
   {

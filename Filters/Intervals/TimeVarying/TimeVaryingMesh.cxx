@@ -2,6 +2,7 @@
 #include "TimeVarying/TimeVaryingMesh.h"
 
 #include "Arrays/ExtractionArrays.h"
+#include "Common/ArrayMatch.h"
 #include "Output/TiedFaces.h"
 #include "TimeVarying/TimeStep.h"
 #include "Unstructured/CrossingLists.h"
@@ -317,10 +318,10 @@ void TimeVaryingMesh::AppendPoints(
   for (int a = 0; a < from->GetNumberOfArrays(); ++a)
   {
     vtkAbstractArray* array = from->GetAbstractArray(a);
-    if (array->GetName() && ExtractionArrays::IsCarried(from, array) &&
-      !arrays->HasArray(array->GetName()))
+    const std::string key = ArrayMatch::GetKey(from, array);
+    if (ExtractionArrays::IsCarried(from, array) && !arrays->HasArray(key.c_str()))
     {
-      this->ArraysLeftOut.emplace_back(array->GetName());
+      this->ArraysLeftOut.push_back(key);
     }
   }
   if (!this->Points)
@@ -353,7 +354,7 @@ void TimeVaryingMesh::AppendArrays(vtkPointData* more)
     }
     else
     {
-      this->ArraysLeftOut.emplace_back(array->GetName() ? array->GetName() : "");
+      this->ArraysLeftOut.emplace_back(array->GetName());
       this->Arrays->RemoveArray(a);
     }
   }

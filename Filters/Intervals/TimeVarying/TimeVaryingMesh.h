@@ -151,7 +151,7 @@ public:
   const std::vector<BoundaryCell>& GetBoundary() const { return this->Boundary; }
   const std::vector<BoundaryCell>& GetStepVolume() const { return this->StepVolume; }
 
-  /// Returns the names of point arrays that were left out since a step lacks them.
+  /// Returns the keys (ArrayMatch) of point arrays that were left out since a step lacks them.
   const std::vector<std::string>& GetArraysLeftOut() const { return this->ArraysLeftOut; }
 
   std::size_t GetBytes() const;

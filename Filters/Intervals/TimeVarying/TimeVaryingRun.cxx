@@ -2,6 +2,7 @@
 #include "TimeVarying/TimeVaryingRun.h"
 
 #include "Arrays/ExtractionArrays.h"
+#include "Common/ArrayMatch.h"
 #include "Static/ExtractionInput.h"
 #include "TimeVarying/TimeVaryingExtraction.h"
 #include "TimeVarying/TimeVaryingOutput.h"
@@ -130,7 +131,8 @@ std::string TimeVaryingRun::DescribeStep() const
 
 void TimeVaryingRun::Warn(const std::string& what)
 {
-  if (std::find(this->Warnings.begin(), this->Warnings.end(), what) == this->Warnings.end())
+  if (!what.empty() &&
+    std::find(this->Warnings.begin(), this->Warnings.end(), what) == this->Warnings.end())
   {
     this->Warnings.push_back(what);
   }
@@ -235,7 +237,7 @@ std::string TimeVaryingRun::AddLeafStep(
   }
   // The dataset of the first step may have become that of the second; its cells are the same.
   this->Empty.Add(this->NextStep == 1 ? input : nullptr, scalars, 0);
-  leaf.ScalarsName = scalars->GetName() ? scalars->GetName() : "";
+  leaf.ScalarsKey = ArrayMatch::GetKey(input->GetPointData(), scalars);
   if (leaf.Before && leaf.Before->IsOverwritten(input, scalars))
   {
     result = OVERWRITTEN;
@@ -246,14 +248,8 @@ std::string TimeVaryingRun::AddLeafStep(
   if (this->NextStep == 0)
   {
     this->Report.ConcavePolyhedra += step->GetNumberOfConcave();
-    for (const std::string& warning : { ExtractionInput::CheckPolyhedra(step->GetNumberOfConcave()),
-           ExtractionInput::CheckPrecision(input, this->Options.Precision) })
-    {
-      if (!warning.empty())
-      {
-        this->Warn(warning);
-      }
-    }
+    this->Warn(ExtractionInput::CheckPolyhedra(step->GetNumberOfConcave()));
+    this->Warn(ExtractionInput::CheckPrecision(input, this->Options.Precision));
   }
   const ExtractionContext context = this->MakeContext();
   const double slabs = static_cast<double>(this->Times.size()) - 1.0;
@@ -317,7 +313,8 @@ bool TimeVaryingRun::FillOutputs(
     leaf->Mesh.SettleStepVolume();
     this->Report.Simplices -= leaf->Mesh.RemoveOppositeAtSteps() + leaf->Mesh.RemoveDuplicates();
     const TimeVaryingMesh& mesh = leaf->Mesh;
-    ExtractionArrays::ActivateScalars(leaf->ScalarsName.c_str(), mesh.GetArrays());
+    ExtractionArrays::ActivateScalars(leaf->ScalarsKey.c_str(), mesh.GetArrays());
+    ArrayMatch::RemoveKeys(mesh.GetArrays());
     vtkUnstructuredGrid* output = tetrahedraLeaves.GetNext(isNeeded);
     if (output && this->Options.Settings.GenerateTetrahedra &&
       !TimeVaryingOutput::FillTetrahedra(context, mesh, output, this->Report))
@@ -336,10 +333,11 @@ bool TimeVaryingRun::FillOutputs(
     }
     this->Report.ArraysInterpolated =
       std::max(this->Report.ArraysInterpolated, mesh.GetArrays()->GetNumberOfArrays());
-    for (const std::string& name : mesh.GetArraysLeftOut())
+    for (const std::string& key : mesh.GetArraysLeftOut())
     {
-      this->Warn("Point array \"" + name +
-        "\" is left out: it is not at all steps, or has the name of an array that is made here.");
+      this->Warn((key[0] == ArrayMatch::KeyMark ? "A point array without a name"
+                                                : "Point array \"" + key + "\"") +
+        " is left out: it is not at all steps, or has the name of an array that is made here.");
     }
     leaf.reset();
   }

@@ -81,8 +81,8 @@ private:
     }
     std::unique_ptr<TimeStep> Before;
     TimeVaryingMesh Mesh;
-    // The name of the scalars, empty where they have none.
-    std::string ScalarsName;
+    // The key of the scalars, see ArrayMatch.
+    std::string ScalarsKey;
   };
 
   ExtractionContext MakeContext();

@@ -2,9 +2,13 @@
 // Point arrays of every type are interpolated, never truncated; cell arrays are copied; the arrays
 // the filters make have the documented names and values; the scalar may be of any type.
 #include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
 #include "Reference/Intervals/ReferenceExtraction.h"
 #include "Reference/Meshes/ReferenceField.h"
 #include "Reference/Meshes/ReferenceLattice.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceVolume.h"
+#include "Reference/TimeVarying/ReferenceTimeSteps.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -256,6 +260,147 @@ void CheckOddArrays(Check& check)
   }
 }
 
+/// Arrays of an output without their names.
+void CompareArrays(
+  vtkPointData* found, vtkPointData* expected, const std::string& what, Check& check)
+{
+  if (!check.That(found->GetNumberOfArrays() == expected->GetNumberOfArrays(), what + ": arrays"))
+  {
+    return;
+  }
+  for (int a = 0; a < found->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* one = found->GetArray(a);
+    vtkDataArray* other = expected->GetArray(a);
+    const int components = other->GetNumberOfComponents();
+    bool isSame = one->GetNumberOfTuples() == other->GetNumberOfTuples() &&
+      one->GetNumberOfComponents() == components;
+    for (vtkIdType i = 0; isSame && i < other->GetNumberOfTuples(); ++i)
+    {
+      for (int c = 0; c < components; ++c)
+      {
+        isSame = isSame && one->GetComponent(i, c) == other->GetComponent(i, c);
+      }
+    }
+    check.That(isSame, what + ": values of array " + std::to_string(a));
+  }
+  for (int role = 0; role < vtkDataSetAttributes::NUM_ATTRIBUTES; ++role)
+  {
+    check.That(!found->GetAbstractAttribute(role) == !expected->GetAbstractAttribute(role),
+      what + ": role " + std::to_string(role));
+  }
+}
+
+/// The outputs of both filters, with further criteria or not.
+std::vector<vtkSmartPointer<vtkUnstructuredGrid>> ExtractAll(vtkDataSet* data)
+{
+  std::vector<vtkSmartPointer<vtkUnstructuredGrid>> all;
+  for (const bool keepsWhole : { false, true })
+  {
+    for (const bool hasCriterion : { false, true })
+    {
+      vtkNew<vtkIntervalVolume> filter;
+      filter->SetInputData(data);
+      filter->SetInterval(0, -1.0, 0.65);
+      filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+      filter->SetKeepWholeCells(keepsWhole);
+      if (hasCriterion)
+      {
+        filter->AddCriterion("h", -1.0, 0.6);
+      }
+      filter->Update();
+      all.emplace_back(filter->GetOutput());
+    }
+  }
+  all.push_back(ExtractContours(data, { 0.65 }).Surface);
+  return all;
+}
+
+/// Scalars, vectors and other arrays without a name come out as with one, on every kind of grid.
+void CheckUnnamedArrays(Check& check)
+{
+  for (const SpaceTimeGrid& grid : AllSpaceTimeGrids({ 2, 2, 2 }, 3))
+  {
+    check.SetContext("arrays without a name, " + grid.Name);
+    vtkPointData* points = grid.Data->GetPointData();
+    AddLinearField(grid.Data, { 1.0, { 0.5, 2.0, 0.0 } }, "a");
+    vtkNew<vtkDoubleArray> places;
+    places->SetNumberOfComponents(3);
+    places->SetName("places");
+    for (vtkIdType i = 0; i < grid.Data->GetNumberOfPoints(); ++i)
+    {
+      places->InsertNextTuple(grid.Data->GetPoint(i));
+    }
+    points->SetVectors(places);
+    double box[6];
+    grid.Data->GetBounds(box);
+    const double size[3] = { box[1] - box[0], box[3] - box[2], box[5] - box[4] };
+    AddLinearField(grid.Data, { -box[0] / size[0], { 1.0 / size[0], 0.0, 0.0 } }, "h");
+    AddLinearField(grid.Data, { -box[4] / size[2], { 0.0, 0.0, 1.0 / size[2] } });
+    AddLinearField(grid.Data, { 7.0, { 0.0, -3.0, 1.0 } }, "b");
+    points->SetActiveScalars("f");
+    const double expected = static_cast<double>(ClippedVolume(grid.Data, { { "f", -1.0, 0.65 } }));
+    const auto named = ExtractAll(grid.Data);
+    for (const char* name : { "a", "b", "f", "places" })
+    {
+      points->GetAbstractArray(name)->SetName(nullptr);
+    }
+    const auto unnamed = ExtractAll(grid.Data);
+    check.Near(static_cast<double>(MeasureTetrahedra(unnamed[0]).Sum), expected, 1e-12, "volume");
+    for (std::size_t i = 0; i < named.size(); ++i)
+    {
+      const std::string what = "output " + std::to_string(i);
+      check.That(named[i]->GetNumberOfCells() > 0, what + " has cells");
+      CompareArrays(unnamed[i]->GetPointData(), named[i]->GetPointData(), what, check);
+    }
+  }
+}
+
+/// Arrays that end too soon are an error, with or without a name.
+void CheckShortArrays(Check& check)
+{
+  check.SetContext("arrays that are too short");
+  for (const bool isOfCells : { false, true })
+  {
+    for (const char* name : { "short", static_cast<const char*>(nullptr) })
+    {
+      const auto mesh = MakeMesh(MeshKind::Honeycomb, { 2, 2, 2 });
+      AddLinearField(mesh, { 0.0, { 0.0, 0.0, 1.0 } });
+      vtkNew<vtkIntArray> array;
+      array->SetName(name);
+      array->InsertNextValue(1);
+      mesh->GetAttributes(isOfCells ? vtkDataObject::CELL : vtkDataObject::POINT)->AddArray(array);
+      vtkNew<vtkIntervalVolume> filter;
+      filter->SetInputData(mesh);
+      filter->SetInterval(0, -1.0, 0.75);
+      const std::string message = MessagesOf(filter);
+      check.That(message.find(name ? "rray \"short\" has 1 tuple; "
+                                   : "array without a name has 1") != std::string::npos &&
+          message.find(isOfCells ? "for each cell" : "for each point") != std::string::npos,
+        "it is reported: " + message);
+    }
+  }
+}
+
+/// Pedigree ids, which are not carried, may be the scalar of polyhedra that are coned.
+void CheckPedigreeIds(Check& check)
+{
+  check.SetContext("pedigree ids");
+  const auto mesh = MakeMesh(MeshKind::Honeycomb, { 2, 2, 2 });
+  AddLinearField(mesh, { 0.0, { 0.0, 0.0, 1.0 } });
+  const double expected = static_cast<double>(ClippedVolume(mesh, { { "f", -1.0, 0.75 } }));
+  mesh->GetPointData()->SetPedigreeIds(mesh->GetPointData()->GetScalars());
+  mesh->GetPointData()->SetActiveScalars(nullptr);
+  vtkNew<vtkIntervalVolume> filter;
+  filter->SetInputData(mesh);
+  filter->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::PEDIGREEIDS);
+  filter->SetInterval(0, -1.0, 0.75);
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  filter->Update();
+  check.Near(
+    static_cast<double>(MeasureTetrahedra(filter->GetOutput()).Sum), expected, 1e-12, "volume");
+}
 }
 
 /// Values whose difference is not finite are interpolated, too.
@@ -350,5 +495,8 @@ int TestIntervalVolumeArrays(int, char*[])
   CheckRoles(check);
   check.SetContext("odd arrays");
   CheckOddArrays(check);
+  CheckUnnamedArrays(check);
+  CheckPedigreeIds(check);
+  CheckShortArrays(check);
   return check.Result();
 }

@@ -2,6 +2,8 @@
 // Point arrays of every type are interpolated in space and time, at thick points too; the arrays
 // that the filter makes have the documented names, types and values; precision of the points.
 #include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Meshes/ReferenceVolume.h"
 #include "Reference/TimeVarying/ReferenceSimplices.h"
 #include "Reference/TimeVarying/ReferenceTemporal.h"
 #include "Reference/TimeVarying/ReferenceTimeVarying.h"
@@ -272,6 +274,135 @@ void CheckOtherArrays(Check& check)
   check.That(range[0] == 0 && range[1] > 0, "DeltaT is the filter's");
 }
 
+/// Point arrays of three steps: `b` has another place in the last one, and others have roles.
+void AddMixedArrays(const TimeSteps& steps)
+{
+  const auto add = [](const char* name, double rate)
+  {
+    return [name, rate](const TimeStep& step)
+    {
+      AddSpaceTimeField(
+        { step },
+        [rate](const std::array<double, 3>& x, double time, vtkIdType)
+        { return rate * x[0] + x[1] + 2.0 * x[2] - rate * rate * time; },
+        name);
+    };
+  };
+  for (const TimeStep& step : steps)
+  {
+    GetDataSet(step)->GetPointData()->Initialize();
+    const bool isLast = step.Time == steps.back().Time;
+    if (!isLast)
+    {
+      add("a", 3.0)(step);
+    }
+    double box[6];
+    GetDataSet(step)->GetBounds(box);
+    AddSpaceTimeField({ step },
+      [&box](const std::array<double, 3>& x, double time, vtkIdType)
+      { return (x[2] - box[4]) / (box[5] - box[4]) + 0.125 * time; });
+    if (isLast)
+    {
+      add("a", 3.0)(step);
+    }
+    add("b", 5.0)(step);
+    vtkNew<vtkDoubleArray> places;
+    places->SetNumberOfComponents(3);
+    places->SetName("places");
+    for (vtkIdType i = 0; i < GetDataSet(step)->GetNumberOfPoints(); ++i)
+    {
+      places->InsertNextTuple(GetDataSet(step)->GetPoint(i));
+    }
+    GetDataSet(step)->GetPointData()->SetVectors(places);
+    GetDataSet(step)->GetPointData()->SetActiveScalars("f");
+  }
+}
+
+/// Arrays without a name come out as with one, on every kind of grid.
+void CheckUnnamedArrays(Check& check)
+{
+  const char* const names[] = { "a", "f", "b", "places" };
+  for (const SpaceTimeGrid& grid : AllSpaceTimeGrids({ 2, 2, 2 }, 3))
+  {
+    check.SetContext("arrays without a name, " + grid.Name);
+    const TimeSteps steps = RepeatGrid(grid.Data, { 0, 1, 2 });
+    AddMixedArrays(steps);
+    const TimeVaryingSettings settings = { { { -1.0, 0.65 } } };
+    const TimeVaryingExtraction named = ExtractTimeVarying(steps, settings);
+    for (const TimeStep& step : steps)
+    {
+      for (const char* name : names)
+      {
+        GetDataSet(step)->GetPointData()->GetArray(name)->SetName(nullptr);
+      }
+    }
+    const TimeVaryingExtraction unnamed = ExtractTimeVarying(steps, settings);
+    // The fraction of the height below 0.65 - t / 8 is 0.525 in the mean over two units of time.
+    const double expected = static_cast<double>(MeshVolume(grid.Data)) * 2.0 * 0.525;
+    if (HasBoxDomain(grid.Data))
+    {
+      check.Near(static_cast<double>(MeasureSimplices(unnamed.Simplices).Sum), expected, 1e-12,
+        "hypervolume");
+    }
+    vtkUnstructuredGrid* const found[] = { unnamed.Tetrahedra, unnamed.Boundaries,
+      unnamed.Simplices };
+    vtkUnstructuredGrid* const wanted[] = { named.Tetrahedra, named.Boundaries, named.Simplices };
+    for (int port = 0; port < 3; ++port)
+    {
+      vtkPointData* arrays = found[port]->GetPointData();
+      int place = 0;
+      for (int a = 0; a < arrays->GetNumberOfArrays() && place < 4; ++a)
+      {
+        if (!arrays->GetArray(a)->GetName())
+        {
+          vtkDataArray* same = wanted[port]->GetPointData()->GetArray(names[place++]);
+          double difference = same->GetNumberOfTuples() != arrays->GetArray(a)->GetNumberOfTuples();
+          for (vtkIdType i = 0; difference == 0.0 && i < same->GetNumberOfTuples(); ++i)
+          {
+            for (int c = 0; c < same->GetNumberOfComponents(); ++c)
+            {
+              difference = std::max(difference,
+                std::abs(same->GetComponent(i, c) - arrays->GetArray(a)->GetComponent(i, c)));
+            }
+          }
+          check.Near(difference, 0.0, 0.0, std::string("values of ") + names[place - 1], 1.0);
+        }
+      }
+      check.Equal(place, 4, "arrays without a name of port " + std::to_string(port));
+      check.That(arrays->GetScalars() && !arrays->GetScalars()->GetName() && arrays->GetVectors(),
+        "scalars and vectors are active");
+    }
+  }
+}
+
+/// An array without a name that a step lacks is left out with a warning; the others stay.
+void CheckUnnamedLeftOut(Check& check)
+{
+  check.SetContext("an array without a name of some steps");
+  const TimeSteps steps = RepeatGrid(AllSpaceTimeGrids({ 2, 2, 2 }, 3).front().Data, { 0, 1, 2 });
+  AddMixedArrays(steps);
+  for (const TimeStep& step : steps)
+  {
+    GetDataSet(step)->GetPointData()->GetArray("f")->SetName(nullptr);
+    GetDataSet(step)->GetPointData()->GetArray("b")->SetName(nullptr);
+  }
+  vtkPointData* last = GetDataSet(steps[2])->GetPointData();
+  for (int a = last->GetNumberOfArrays() - 1; a >= 0; --a)
+  {
+    if (!last->GetArray(a)->GetName() && last->IsArrayAnAttribute(a) < 0)
+    {
+      last->RemoveArray(a);
+    }
+  }
+  const TimeVaryingPipeline pipeline(steps, { { { -1.0, 0.65 } } });
+  const std::string said = WarningsOf(pipeline.Filter);
+  check.That(said.find("point array without a name is left out") != std::string::npos,
+    "it is reported: " + said);
+  vtkPointData* arrays = pipeline.Filter->GetOutput()->GetPointData();
+  check.That(arrays->GetScalars() != nullptr, "the scalars stay");
+  check.Equal(arrays->GetNumberOfArrays(), 5, "scalars, a, places, Time, DeltaT");
+}
+
 void SetPointsType(const TimeSteps& steps, int type)
 {
   for (const TimeStep& step : steps)
@@ -329,6 +460,8 @@ int TestTimeVaryingArrays(int, char*[])
   CheckTypes(check);
   CheckScalars(check);
   CheckOtherArrays(check);
+  CheckUnnamedArrays(check);
+  CheckUnnamedLeftOut(check);
   for (const SpaceTimeGrid& grid : AllSpaceTimeGrids({ 2, 2, 2 }, 3))
   {
     CheckPrecision(grid, VTK_FLOAT, check);
