@@ -28,6 +28,9 @@ void vtkExtractionReport::Add(const vtkExtractionReport& other)
   this->LinearizedCells += other.LinearizedCells;
   this->ConcavePolyhedra += other.ConcavePolyhedra;
   this->UnsupportedCells += other.UnsupportedCells;
+  this->FoldedCells += other.FoldedCells;
+  this->CoveredCells += other.CoveredCells;
+  this->LevelFaces += other.LevelFaces;
   this->CollapsedSimplices += other.CollapsedSimplices;
   this->WholeCells += other.WholeCells;
   this->WarpedFaces += other.WarpedFaces;
@@ -47,7 +50,8 @@ void vtkExtractionReport::Print(ostream& os, vtkIndent indent) const
       { "LowerDimensionalCells", this->LowerDimensionalCells },
       { "NonFiniteCells", this->NonFiniteCells }, { "BlankedCells", this->BlankedCells },
       { "LinearizedCells", this->LinearizedCells }, { "ConcavePolyhedra", this->ConcavePolyhedra },
-      { "UnsupportedCells", this->UnsupportedCells },
+      { "UnsupportedCells", this->UnsupportedCells }, { "FoldedCells", this->FoldedCells },
+      { "CoveredCells", this->CoveredCells }, { "LevelFaces", this->LevelFaces },
       { "CollapsedSimplices", this->CollapsedSimplices }, { "WholeCells", this->WholeCells },
       { "WarpedFaces", this->WarpedFaces }, { "ArraysInterpolated", this->ArraysInterpolated },
       { "ArraysCopied", this->ArraysCopied }, { "Passes", this->Passes },

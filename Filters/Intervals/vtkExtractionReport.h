@@ -46,6 +46,16 @@ struct INTERLUMEINTERVALS_EXPORT vtkExtractionReport
   vtkIdType ConcavePolyhedra = 0;
   /// The number of cells of a type that has no three-dimensional linear counterpart.
   vtkIdType UnsupportedCells = 0;
+  /// The number of cells with output that are folded: their Jacobian is positive at some corners
+  /// and negative at others, as in hexahedra with the point order of voxels, which cross
+  /// themselves. And the number of cells of rectilinear grids where coordinates turn back or
+  /// repeat.
+  vtkIdType FoldedCells = 0;
+  /// Of an AMR input, the number of cells that give output although cells of a finer level lie over
+  /// them, since they are not blanked; and the number of faces between cells of two levels that an
+  /// isovalue crosses, where the surfaces of the levels end apart.
+  vtkIdType CoveredCells = 0;
+  vtkIdType LevelFaces = 0;
   /// The number of simplices of the tables' cases not emitted since values equal a bound, or
   /// corners of a cell are one point: they have no volume.
   vtkIdType CollapsedSimplices = 0;

@@ -11,6 +11,7 @@
 #include "Static/EmptyResult.h"
 #include "Static/Extraction.h"
 #include "Static/ExtractionInput.h"
+#include "Static/RefinementLevels.h"
 
 #include "vtkCellData.h"
 #include "vtkCommand.h"
@@ -320,6 +321,16 @@ void vtkIntervalVolume::EndExecution()
     this->BeginMemory();
   }
   this->EndMemory();
+  int association;
+  interlume::RefinementLevels::Count(
+    this->GetInputDataObject(0, 0), this->GetIntervals(),
+    [this, &association](vtkDataSet* block)
+    { return this->GetInputAbstractArrayToProcess(0, block, association); },
+    this->Report);
+  for (const std::string& warning : interlume::RefinementLevels::GetWarnings(this->Report))
+  {
+    vtkWarningMacro(<< warning);
+  }
   if (this->GetReportBalance())
   {
     interlume::ProcessBalance::Gather(this, this->Report);

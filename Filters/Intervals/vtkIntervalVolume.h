@@ -108,7 +108,11 @@ struct WholePass;
  * Warning (vtkWarningMacro, once for a composite input): an empty output and why, see
  * WarnOnEmptyOutput; a criterion that leaves nothing is a reason too. Warnings for each dataset:
  * quadratic cells, concave polyhedra, and images and rectilinear grids so far from the origin that
- * output points in single precision are off by more than a hundredth of a cell.
+ * output points in single precision are off by more than a hundredth of a cell; cells that are
+ * folded or cross themselves, as hexahedra with the point order of voxels do; coordinates of a
+ * rectilinear grid that turn back or repeat. Of AMR datasets, whose levels are extracted one by
+ * one: cells below a finer level that are not blanked, and faces between two levels that an
+ * isovalue crosses, where surfaces have gaps.
  *
  * @sa vtkIsotableContour vtkIsotable
  */

@@ -9,6 +9,7 @@
 #include "Static/EmptyResult.h"
 #include "Static/Extraction.h"
 #include "Static/ExtractionInput.h"
+#include "Static/RefinementLevels.h"
 
 #include "vtkCommand.h"
 #include "vtkDataSet.h"
@@ -166,6 +167,21 @@ void vtkIsotableContour::EndExecution()
   {
     // There was no dataset at all.
     this->Report = vtkExtractionReport();
+  }
+  std::vector<vtkIntervalList::Interval> surfaces;
+  for (const double value : this->Values)
+  {
+    surfaces.push_back({ { value, value } });
+  }
+  int association;
+  interlume::RefinementLevels::Count(
+    this->GetInputDataObject(0, 0), surfaces,
+    [this, &association](vtkDataSet* block)
+    { return this->GetInputAbstractArrayToProcess(0, block, association); },
+    this->Report);
+  for (const std::string& warning : interlume::RefinementLevels::GetWarnings(this->Report))
+  {
+    vtkWarningMacro(<< warning);
   }
   if (this->ReportBalance)
   {

@@ -42,8 +42,9 @@ class ExtractionIndex;
  * A composite input gives a composite output of the same structure. The same input gives the same
  * bytes whatever the number of threads.
  *
- * Errors (vtkErrorMacro, empty output): as in vtkIntervalVolume. Warning (vtkWarningMacro, once for
- * a composite input): an empty output and why, see WarnOnEmptyOutput.
+ * Errors (vtkErrorMacro, empty output) and warnings for each dataset: as in vtkIntervalVolume.
+ * Warning (vtkWarningMacro, once for a composite input): an empty output and why, see
+ * WarnOnEmptyOutput.
  *
  * The cells' ids are stored in 32 bits where they fit (vtkCellArray::IsStorage64Bit tells).
  *

@@ -89,8 +89,8 @@ class TimeVaryingRun;
  * are not finite, a step without the scalar array or of another type of grid, number of points or
  * cells, or connectivity than the step before (the message names the step), and those of
  * vtkIntervalVolume. Warning (vtkWarningMacro, once for a composite input): empty outputs and why,
- * see WarnOnEmptyOutput, also when no output is asked for or all 4-simplices are flat; concave
- * polyhedra and points that single precision spoils, as in vtkIntervalVolume.
+ * see WarnOnEmptyOutput, also when no output is asked for or all 4-simplices are flat; what
+ * vtkIntervalVolume warns of for each dataset, except quadratic cells.
  *
  * The scalar is the active one on each output.
  *

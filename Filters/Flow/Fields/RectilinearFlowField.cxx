@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/RectilinearFlowField.h"
 
+#include "Common/AxisCheck.h"
+
 #include "vtkDataArray.h"
 #include "vtkRectilinearGrid.h"
 
@@ -35,13 +37,16 @@ std::string RectilinearFlowField::Build(vtkRectilinearGrid* grid, vtkDataArray* 
     for (int i = 0; i < points[axis]; ++i)
     {
       values[i] = coordinates[axis]->GetTuple1(i);
-      const double step = i > 0 ? values[i] - values[i - 1] : 0.0;
-      const bool isFurther = i == 0 || (values[1] > values[0] ? step > 0.0 : step < 0.0);
-      if (!std::isfinite(values[i]) || !isFurther)
+      if (!std::isfinite(values[i]))
       {
-        return std::string("the coordinates along ") + "xyz"[axis] +
-          " neither ascend nor descend to number " + std::to_string(i);
+        return std::string("the coordinate along ") + "xyz"[axis] + " of number " +
+          std::to_string(i) + " is not finite";
       }
+    }
+    const AxisCheck turns = AxisCheck::Find(coordinates[axis], points[axis]);
+    if (turns.Number > 0)
+    {
+      return turns.Describe(axis, coordinates[axis]);
     }
     this->Magnitude[axis] = std::max(std::abs(values.front()), std::abs(values.back()));
   }

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 namespace interlume
 {
@@ -136,6 +138,48 @@ int GetRoughSign(vtkIsotable::Shapes shape, const float* coordinates, const vtkI
   }
 }
 
+// The edges that meet at a corner, each along an axis of the cell.
+struct CornerEdges
+{
+  std::uint8_t Ends[3][2];
+};
+
+constexpr CornerEdges HexahedronCorners[] = { { { { 0, 1 }, { 0, 2 }, { 0, 4 } } },
+  { { { 0, 1 }, { 1, 3 }, { 1, 5 } } }, { { { 2, 3 }, { 0, 2 }, { 2, 6 } } },
+  { { { 2, 3 }, { 1, 3 }, { 3, 7 } } }, { { { 4, 5 }, { 4, 6 }, { 0, 4 } } },
+  { { { 4, 5 }, { 5, 7 }, { 1, 5 } } }, { { { 6, 7 }, { 4, 6 }, { 2, 6 } } },
+  { { { 6, 7 }, { 5, 7 }, { 3, 7 } } } };
+constexpr CornerEdges WedgeCorners[] = { { { { 0, 1 }, { 0, 2 }, { 0, 3 } } },
+  { { { 1, 2 }, { 1, 0 }, { 1, 4 } } }, { { { 2, 0 }, { 2, 1 }, { 2, 5 } } },
+  { { { 3, 4 }, { 3, 5 }, { 0, 3 } } }, { { { 4, 5 }, { 4, 3 }, { 1, 4 } } },
+  { { { 5, 3 }, { 5, 4 }, { 2, 5 } } } };
+constexpr CornerEdges PyramidCorners[] = { { { { 0, 1 }, { 0, 3 }, { 0, 4 } } },
+  { { { 0, 1 }, { 1, 2 }, { 1, 4 } } }, { { { 3, 2 }, { 1, 2 }, { 2, 4 } } },
+  { { { 3, 2 }, { 0, 3 }, { 3, 4 } } } };
+
+// Returns whether the Jacobian is positive at some corners and negative at others; \a x has the
+// coordinates of the vertices.
+template <std::size_t Number>
+bool HasBothSigns(const CornerEdges (&corners)[Number], const double (*x)[3])
+{
+  double least = 0.0;
+  double greatest = 0.0;
+  for (const CornerEdges& corner : corners)
+  {
+    double edges[3][3];
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      vtkMath::Subtract(x[corner.Ends[edge][1]], x[corner.Ends[edge][0]], edges[edge]);
+    }
+    const double determinant = vtkMath::Determinant3x3(edges[0], edges[1], edges[2]);
+    least = std::min(least, determinant);
+    greatest = std::max(greatest, determinant);
+  }
+  // Corners that have nearly collapsed may have either sign.
+  constexpr double collapsed = 0.01;
+  return least < -collapsed * greatest && greatest > -collapsed * least;
+}
+
 bool Decreases(vtkDataArray* coordinates)
 {
   const vtkIdType n = coordinates->GetNumberOfTuples();
@@ -167,6 +211,36 @@ CellOrientation::CellOrientation(vtkDataSet* input)
   {
     this->AllInverted = Decreases(grid->GetXCoordinates()) !=
       (Decreases(grid->GetYCoordinates()) != Decreases(grid->GetZCoordinates()));
+  }
+}
+
+bool CellOrientation::IsCellFolded(vtkIsotable::Shapes shape, const vtkIdType* points) const
+{
+  double x[8][3];
+  const int number = shape == vtkIsotable::PYRAMID ? 5 : shape == vtkIsotable::WEDGE ? 6 : 8;
+  for (int v = 0; v < number; ++v)
+  {
+    if (this->Floats)
+    {
+      std::copy_n(this->Floats + 3 * points[v], 3, x[v]);
+    }
+    else if (this->Doubles)
+    {
+      std::copy_n(this->Doubles + 3 * points[v], 3, x[v]);
+    }
+    else
+    {
+      this->Points->GetPoint(points[v], x[v]);
+    }
+  }
+  switch (shape)
+  {
+    case vtkIsotable::PYRAMID:
+      return HasBothSigns(PyramidCorners, x);
+    case vtkIsotable::WEDGE:
+      return HasBothSigns(WedgeCorners, x);
+    default:
+      return HasBothSigns(HexahedronCorners, x);
   }
 }
 

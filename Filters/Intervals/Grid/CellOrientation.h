@@ -8,6 +8,8 @@
 #include "vtkDataSet.h"
 #include "vtkIsotable.h"
 
+#include <array>
+
 class vtkPoints;
 
 namespace interlume
@@ -54,12 +56,21 @@ public:
     {
       return this->AllInverted;
     }
-    vtkIdType vertices[8];
-    for (int v = 0; v < 8; ++v)
-    {
-      vertices[v] = rows.GetVertex(point, v);
-    }
-    return this->IsInverted(vtkIsotable::HEXAHEDRON, vertices);
+    return this->IsInverted(vtkIsotable::HEXAHEDRON, GetVertices(rows, point).data());
+  }
+
+  /// Returns whether a cell is folded: its Jacobian is positive at some corners and negative at
+  /// others, as in a hexahedron with the point order of a voxel, which crosses itself.
+  bool IsFolded(vtkIsotable::Shapes shape, const vtkIdType* points) const
+  {
+    return this->Points && shape != vtkIsotable::TETRAHEDRON && this->IsCellFolded(shape, points);
+  }
+
+  /// Returns the same of the cell of a grid of rows whose vertex 0 is \a point.
+  bool IsFolded(const RowIndex& rows, vtkIdType point) const
+  {
+    return this->Points &&
+      this->IsCellFolded(vtkIsotable::HEXAHEDRON, GetVertices(rows, point).data());
   }
 
   /// Returns 1 for a right-handed cell, -1 for a left-handed one, 0 for a flat one.
@@ -69,6 +80,17 @@ public:
   }
 
 private:
+  static std::array<vtkIdType, 8> GetVertices(const RowIndex& rows, vtkIdType point)
+  {
+    std::array<vtkIdType, 8> vertices;
+    for (int v = 0; v < 8; ++v)
+    {
+      vertices[v] = rows.GetVertex(point, v);
+    }
+    return vertices;
+  }
+
+  bool IsCellFolded(vtkIsotable::Shapes shape, const vtkIdType* points) const;
   int GetCellSign(vtkIsotable::Shapes shape, const vtkIdType* points) const;
 
   vtkPoints* Points = nullptr;

@@ -12,6 +12,7 @@
 #include "Pass/WholeFaces.h"
 #include "Scalars/ExtractionDispatch.h"
 #include "Soup/SoupArrays.h"
+#include "Static/ExtractionInput.h"
 #include "Static/ExtractionLinearizer.h"
 #include "Static/WholeOutput.h"
 #include "Structured/RowContour.h"
@@ -178,6 +179,7 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
     return false;
   }
   report.Cells = input->GetNumberOfCells();
+  report.FoldedCells += ExtractionInput::CountFoldedInRows(input);
   if (!mesh.TiedSimplices.empty())
   {
     ExtractionCleanup::RemoveOppositeSimplices(mesh, context.GetSimplexSize());

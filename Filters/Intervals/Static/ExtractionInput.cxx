@@ -3,6 +3,7 @@
 
 #include "Arrays/ExtractionArrays.h"
 #include "Common/ArrayCheck.h"
+#include "Common/AxisCheck.h"
 #include "Common/GlobalIds.h"
 #include "Common/GridCheck.h"
 #include "Common/IntervalCheck.h"
@@ -29,6 +30,13 @@ namespace interlume
 
 namespace
 {
+vtkDataArray* GetAxis(vtkRectilinearGrid* grid, int axis)
+{
+  vtkDataArray* const axes[] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
+    grid->GetZCoordinates() };
+  return axes[axis];
+}
+
 // Returns which of some arrays has fewer tuples than there are \a number things, or an empty
 // string: it would be read past its end.
 std::string FindShortArray(vtkDataSetAttributes* arrays, vtkIdType number, const char* thing)
@@ -105,9 +113,10 @@ std::string ExtractionInput::CheckPrecision(vtkDataSet* input, int precision)
   }
   else if (vtkRectilinearGrid* grid = vtkRectilinearGrid::SafeDownCast(input))
   {
-    vtkDataArray* axes[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
-      grid->GetZCoordinates() };
-    std::transform(axes, axes + 3, sizes, FindLeastStep);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      sizes[axis] = FindLeastStep(GetAxis(grid, axis));
+    }
   }
   double size = 0.0;
   for (const double one : sizes)
@@ -147,6 +156,51 @@ std::string ExtractionInput::CheckPolyhedra(vtkIdType numberOfConcave)
       "into convex cells before.";
 }
 
+vtkIdType ExtractionInput::CountFoldedInRows(vtkDataSet* input)
+{
+  vtkRectilinearGrid* grid = vtkRectilinearGrid::SafeDownCast(input);
+  vtkIdType straight = 1;
+  int size[3] = { 1, 1, 1 };
+  if (grid)
+  {
+    grid->GetDimensions(size);
+  }
+  for (int axis = 0; grid && axis < 3; ++axis)
+  {
+    straight *= size[axis] - 1 - AxisCheck::Find(GetAxis(grid, axis), size[axis]).Number;
+  }
+  return grid ? grid->GetNumberOfCells() - straight : 0;
+}
+
+std::string ExtractionInput::CheckFolding(vtkDataSet* input, vtkIdType numberOfFolded)
+{
+  if (numberOfFolded == 0)
+  {
+    return {};
+  }
+  vtkRectilinearGrid* grid = vtkRectilinearGrid::SafeDownCast(input);
+  if (!grid)
+  {
+    return std::to_string(numberOfFolded) +
+      " cells are folded or cross themselves: what is made of their parts overlaps. Check the "
+      "order "
+      "of their points (a voxel's is not that of a hexahedron), or move the points.";
+  }
+  std::string words;
+  int size[3];
+  grid->GetDimensions(size);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const AxisCheck turns = AxisCheck::Find(GetAxis(grid, axis), size[axis]);
+    if (turns.Number > 0)
+    {
+      words += (words.empty() ? "" : ", and ") + turns.Describe(axis, GetAxis(grid, axis));
+    }
+  }
+  return ArrayCheck::MakeSentence(words + ": " + std::to_string(numberOfFolded) +
+    " cells have no volume or lie over others. Let the coordinates ascend, or descend, throughout");
+}
+
 std::vector<std::string> ExtractionInput::GetWarnings(
   vtkDataSet* input, int precision, const vtkExtractionReport& report)
 {
@@ -161,8 +215,8 @@ std::vector<std::string> ExtractionInput::GetWarnings(
     warnings.push_back(std::to_string(report.UnsupportedCells) +
       " cells have no linear counterpart and are left out.");
   }
-  for (const std::string& warning :
-    { CheckPolyhedra(report.ConcavePolyhedra), CheckPrecision(input, precision) })
+  for (const std::string& warning : { CheckPolyhedra(report.ConcavePolyhedra),
+         CheckFolding(input, report.FoldedCells), CheckPrecision(input, precision) })
   {
     if (!warning.empty())
     {

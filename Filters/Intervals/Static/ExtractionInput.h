@@ -38,11 +38,16 @@ public:
   /**
    * Return what is not right with an extraction that goes on, in words, or nothing: points that
    * single precision moves by more than a hundredth of a cell, as of an image far from the origin;
-   * polyhedra that are cut into parts that overlap.
+   * polyhedra that are cut into parts that overlap; cells that are folded.
    */
   static std::string CheckPrecision(vtkDataSet* input, int precision);
   static std::string CheckPolyhedra(vtkIdType numberOfConcave);
+  static std::string CheckFolding(vtkDataSet* input, vtkIdType numberOfFolded);
   ///@}
+
+  /// Returns the number of cells where coordinates of a rectilinear grid turn back or repeat, and 0
+  /// for other datasets.
+  static vtkIdType CountFoldedInRows(vtkDataSet* input);
 
   /// Returns what an extraction of that \a report is to warn of, each in words: what is left
   /// out or taken as something else, and the two above.

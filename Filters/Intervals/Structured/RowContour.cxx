@@ -222,12 +222,15 @@ private:
     {
       local.Report.NonFiniteCells += BitKernels::CountNonFinite(around.Rows.data(), this->Nx);
     }
+    const vtkIdType firstPoint = this->Rows.GetFirstPoint(around.Numbers[0]);
     this->ForEachCell(local, around,
-      [&](vtkIdType, const vtkIsotable::Case& found, TiedCases::Tied* tied)
+      [&](vtkIdType column, const vtkIsotable::Case& found, TiedCases::Tied* tied)
       {
         const std::size_t number = tied ? tied->Cut.GetSimplices().size() : found.Simplices.size();
         local.Report.CollapsedSimplices += tied ? tied->Cut.GetNumberCollapsed() : 0;
         local.Report.CellsWithOutput += number > 0;
+        local.Report.FoldedCells +=
+          number > 0 && this->Orientation.IsFolded(this->Rows, firstPoint + column);
         triangles += static_cast<vtkIdType>(number);
       });
     return triangles;

@@ -63,6 +63,7 @@ public:
   }
 
   const std::vector<SlotPlace>& GetPlaces() const { return this->Places; }
+  const CellOrientation& GetOrientation() const { return this->Orientation; }
 
   /// Makes room for the marks of \a points points, of which none is used yet.
   void StartMarks(vtkIdType points)

@@ -325,6 +325,16 @@ private:
     if (!Write)
     {
       local.Report.CellsWithOutput += std::count(local.Gave.begin(), local.Gave.end(), 1);
+      this->CountFolded(local, around.FirstPoint);
+    }
+  }
+
+  void CountFolded(Local& local, vtkIdType firstPoint) const
+  {
+    const CellOrientation& orientation = this->Writer.GetOrientation();
+    for (vtkIdType i = 0; orientation.IsPerCell() && i + 1 < this->Nx; ++i)
+    {
+      local.Report.FoldedCells += local.Gave[i] && orientation.IsFolded(this->Rows, firstPoint + i);
     }
   }
 

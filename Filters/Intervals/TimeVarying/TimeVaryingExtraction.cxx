@@ -287,7 +287,11 @@ private:
     }
     const bool isDuplicate = this->TheCells.IsDuplicate(cell.Id);
     chunk.HasDuplicates |= isDuplicate;
-    chunk.Report.CellsWithOutput += chunk.Simplices != before && !isDuplicate;
+    const bool hasOutput = chunk.Simplices != before && !isDuplicate;
+    chunk.Report.CellsWithOutput += hasOutput;
+    chunk.Report.FoldedCells += hasOutput &&
+      std::any_of(this->Orientations, this->Orientations + 2,
+        [&cell](const CellOrientation& one) { return one.IsFolded(cell.Shape, cell.Ids); });
   }
 
   // Finds which slots are the same point. Returns false where none are.

@@ -4,6 +4,7 @@
 #include "Arrays/ExtractionArrays.h"
 #include "Common/ArrayMatch.h"
 #include "Static/ExtractionInput.h"
+#include "Static/RefinementLevels.h"
 #include "TimeVarying/TimeVaryingExtraction.h"
 #include "TimeVarying/TimeVaryingOutput.h"
 
@@ -91,6 +92,7 @@ TimeVaryingRun::TimeVaryingRun(vtkAlgorithm* owner, const ArrayFinder& findArray
   int firstStep, const std::vector<double>& times, vtkTimeVaryingReport& report)
   : Owner(owner)
   , FindArray(findArray)
+  , Intervals(intervals)
   , Values(ExtractionValues::ForIntervals(intervals))
   , Options(options)
   , FirstStep(firstStep)
@@ -185,6 +187,14 @@ std::string TimeVaryingRun::AddStep(vtkDataObject* input, Results& result)
       this->DescribeStep() + " has the time of the step before: there is nothing between them.");
   }
   this->NoteEmptiness();
+  if (hasSlab)
+  {
+    int association;
+    RefinementLevels::Count(
+      input, this->Intervals,
+      [this, &association](vtkDataSet* block) { return this->FindArray(block, association); },
+      this->Report);
+  }
   this->IsJoined = hasSlab;
   this->Report.Slabs += hasSlab;
   ++this->NextStep;
@@ -269,6 +279,10 @@ std::string TimeVaryingRun::AddLeafStep(
   if (leaf.Before && step->GetTime() > leaf.Before->GetTime())
   {
     this->Report.Cells += step->GetNumberOfInputCells();
+    const vtkIdType foldedInRows = ExtractionInput::CountFoldedInRows(step->GetGrid());
+    this->FoldedInRows += foldedInRows;
+    this->Report.FoldedCells += foldedInRows;
+    this->Warn(ExtractionInput::CheckFolding(step->GetGrid(), foldedInRows));
     if (!leaf.Before->MakeCodes(context, 0.0, 0.05) || !step->MakeCodes(context, 0.05, 0.1))
     {
       return {};
@@ -340,6 +354,11 @@ bool TimeVaryingRun::FillOutputs(
         " is left out: it is not at all steps, or has the name of an array that is made here.");
     }
     leaf.reset();
+  }
+  this->Warn(ExtractionInput::CheckFolding(nullptr, this->Report.FoldedCells - this->FoldedInRows));
+  for (const std::string& warning : RefinementLevels::GetWarnings(this->Report))
+  {
+    this->Warn(warning);
   }
   return true;
 }

@@ -90,16 +90,20 @@ private:
   void NoteEmptiness();
   std::string CheckScalars(vtkDataSet* input, vtkDataArray*& scalars) const;
   std::string DescribeStep() const;
+  // Keeps a warning, unless it is empty or there already.
   void Warn(const std::string& what);
 
   vtkAlgorithm* Owner;
   ArrayFinder FindArray;
+  std::vector<vtkIntervalList::Interval> Intervals;
   ExtractionValues Values;
   TimeVaryingOptions Options;
   int FirstStep;
   std::vector<double> Times;
   vtkTimeVaryingReport& Report;
   int NextStep = 0;
+  // The cells of the report's FoldedCells that are of rectilinear grids.
+  vtkIdType FoldedInRows = 0;
   // Whether the slab before had a duration, so that this one is joined to it.
   bool IsJoined = false;
   std::vector<std::unique_ptr<Leaf>> Leaves;

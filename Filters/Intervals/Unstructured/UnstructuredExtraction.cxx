@@ -464,9 +464,17 @@ private:
     }
     soup.Add(simplices, number, points, isInverted);
     chunk.Simplices += static_cast<vtkIdType>(number);
-    ++chunk.Report.CellsWithOutput;
+    this->CountOutput(cell, true, chunk);
     chunk.Cuts.Add({ position, static_cast<int>(key), 0, cell.IsAscending, false, isInverted });
     return true;
+  }
+
+  // Counts a cell with output, and whether it is folded.
+  void CountOutput(const Cell& cell, bool hasOutput, Chunk& chunk) const
+  {
+    chunk.Report.CellsWithOutput += hasOutput;
+    chunk.Report.FoldedCells += hasOutput && !this->Context.KeepOrientation &&
+      this->Orientation.IsFolded(cell.Shape, cell.Ids);
   }
 
   // Returns whether a cell is left-handed.
@@ -535,7 +543,7 @@ private:
       chunk.Triangles += static_cast<vtkIdType>(cut.NumberOfTriangles);
       chunk.Cuts.Add({ position, key, number, isPlain, isMerged, isInverted });
     }
-    chunk.Report.CellsWithOutput += GetOutput(chunk) != before;
+    this->CountOutput(cell, GetOutput(chunk) != before, chunk);
   }
 
   // Enters the points of a cut.
@@ -617,15 +625,16 @@ private:
         ++chunk.Report.CellsWithOutput;
         return true;
       }
+      Cell cell;
       const CellCorners& corners = this->Cells.GetCorners(id);
-      vtkIdType ids[8];
-      this->Cells.GetIds(id, corners, ids);
+      cell.Shape = corners.Shape;
+      this->Cells.GetIds(id, corners, cell.Ids);
       Code least = ExtractionValues::NoCode;
       Code greatest = 0;
       for (int v = 0; v < corners.NumberOfCorners; ++v)
       {
-        least = std::min(least, this->Codes[ids[v]]);
-        greatest = std::max(greatest, this->Codes[ids[v]]);
+        least = std::min(least, this->Codes[cell.Ids[v]]);
+        greatest = std::max(greatest, this->Codes[cell.Ids[v]]);
       }
       const auto& items = this->Values.GetItems();
       if (!std::all_of(items.begin(), items.end(),
@@ -645,7 +654,7 @@ private:
           this->EnterWhole(id, position, number, chunk, arena, points);
         }
       }
-      chunk.Report.CellsWithOutput += GetOutput(chunk) != before;
+      this->CountOutput(cell, GetOutput(chunk) != before, chunk);
       return true;
     }
     else

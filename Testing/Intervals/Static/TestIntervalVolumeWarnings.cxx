@@ -5,16 +5,26 @@
 #include "Reference/Checks/ReferenceMessages.h"
 #include "Reference/Meshes/ReferenceField.h"
 #include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceMeshBuilder.h"
 #include "Reference/Meshes/ReferenceVolume.h"
 #include "Reference/TimeVarying/ReferenceTimeVarying.h"
 
+#include "vtkAMRBox.h"
+#include "vtkAMRUtilities.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkIntervalVolume.h"
 #include "vtkIsotableContour.h"
 #include "vtkNew.h"
+#include "vtkOverlappingAMR.h"
 #include "vtkPoints.h"
 #include "vtkRectilinearGrid.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStructuredGrid.h"
+#include "vtkTimeVaryingIntervalVolume.h"
+#include "vtkTrivialProducer.h"
+#include "vtkUniformGrid.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace
@@ -137,6 +147,209 @@ void CheckFar(Check& check)
   check.That(Says(WarningsOf(pipeline.Filter), "single precision"), "and in time");
 }
 
+/// The warnings of each filter, and the report of the last one, for data whose scalars go from 0
+/// on.
+struct Warned
+{
+  std::vector<std::string> Texts;
+  std::vector<vtkExtractionReport> Reports;
+};
+
+Warned WarnAll(vtkDataObject* data, double upper)
+{
+  Warned warned;
+  vtkNew<vtkIntervalVolume> volume;
+  volume->SetInterval(0, -1.0, upper);
+  vtkNew<vtkIntervalVolume> whole;
+  whole->SetInterval(0, -1.0, upper);
+  whole->KeepWholeCellsOn();
+  vtkNew<vtkIsotableContour> contour;
+  contour->SetValue(0, upper);
+  vtkNew<vtkIsotableContour> soup;
+  soup->SetValue(0, upper);
+  soup->MergePointsOff();
+  for (vtkIntervalVolume* filter : { volume.Get(), whole.Get() })
+  {
+    filter->SetInputDataObject(data);
+    warned.Texts.push_back(WarningsOf(filter));
+    warned.Reports.push_back(filter->GetReport());
+  }
+  for (vtkIsotableContour* filter : { contour.Get(), soup.Get() })
+  {
+    filter->SetInputDataObject(data);
+    warned.Texts.push_back(WarningsOf(filter));
+    warned.Reports.push_back(filter->GetReport());
+  }
+  // The same data at two times.
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(data);
+  const double times[] = { 0.0, 1.0 };
+  producer->GetOutputInformation(0)->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times, 2);
+  vtkNew<vtkTimeVaryingIntervalVolume> inTime;
+  inTime->SetInputConnection(producer->GetOutputPort());
+  inTime->SetInterval(0, -1.0, upper);
+  warned.Texts.push_back(WarningsOf(inTime));
+  warned.Reports.push_back(inTime->GetReport());
+  return warned;
+}
+
+void ExpectFolded(vtkDataSet* data, vtkIdType folded, const std::string& part,
+  const std::string& what, Check& check)
+{
+  const Warned warned = WarnAll(data, 0.4);
+  for (std::size_t i = 0; i < warned.Texts.size(); ++i)
+  {
+    const std::string name = what + ", filter " + std::to_string(i);
+    check.Equal(warned.Reports[i].FoldedCells, folded, name);
+    check.That(folded > 0 ? Says(warned.Texts[i], part) : warned.Texts[i].empty(),
+      name + ": " + warned.Texts[i]);
+  }
+}
+
+/// One cell with its corners in an order, and the scalar x + y + z.
+vtkSmartPointer<vtkUnstructuredGrid> MakeCell(
+  int type, const std::vector<std::array<double, 3>>& corners, const std::vector<vtkIdType>& order)
+{
+  MeshBuilder builder;
+  for (const auto& x : corners)
+  {
+    builder.AddPoint(x[0], x[1], x[2]);
+  }
+  builder.AddCell(type, order);
+  auto grid = builder.GetMesh();
+  AddLinearField(grid, { 0.0, { 1.0, 1.0, 1.0 } });
+  return grid;
+}
+
+void CheckFolded(Check& check)
+{
+  const std::vector<std::array<double, 3>> cube = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 },
+    { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
+  const std::string part = "1 cells are folded or cross themselves";
+  const auto expect =
+    [&](int type, const std::vector<vtkIdType>& order, bool isFolded, const std::string& what)
+  { ExpectFolded(MakeCell(type, cube, order), isFolded ? 1 : 0, part, what, check); };
+  expect(VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 }, false, "a hexahedron");
+  expect(VTK_HEXAHEDRON, { 4, 5, 6, 7, 0, 1, 2, 3 }, false, "a left-handed hexahedron");
+  expect(VTK_HEXAHEDRON, { 0, 1, 3, 2, 4, 5, 7, 6 }, true, "a hexahedron numbered as a voxel");
+  expect(VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 7, 6 }, true, "a hexahedron with a twisted face");
+  expect(VTK_VOXEL, { 0, 1, 3, 2, 4, 5, 7, 6 }, false, "a voxel");
+  expect(VTK_VOXEL, { 0, 1, 2, 3, 4, 5, 6, 7 }, true, "a voxel numbered as a hexahedron");
+  expect(VTK_WEDGE, { 0, 1, 3, 4, 5, 7 }, false, "a wedge");
+  expect(VTK_WEDGE, { 0, 1, 3, 5, 4, 7 }, true, "a wedge with a twisted face");
+  expect(VTK_PYRAMID, { 0, 1, 2, 3, 4 }, false, "a pyramid");
+  expect(VTK_PYRAMID, { 0, 1, 3, 2, 4 }, true, "a pyramid with a twisted base");
+  expect(VTK_HEXAHEDRON, { 0, 1, 2, 2, 4, 5, 6, 6 }, false, "a hexahedron with collapsed edges");
+  auto points = cube;
+  points[6] = { { 0.7, 0.7, 0.7 } };
+  ExpectFolded(MakeCell(VTK_HEXAHEDRON, points, { 0, 1, 2, 3, 4, 5, 6, 7 }), 0, part,
+    "a hexahedron with a corner pushed in a little", check);
+  points[6] = { { 0.4, 0.4, 0.4 } };
+  ExpectFolded(MakeCell(VTK_HEXAHEDRON, points, { 0, 1, 2, 3, 4, 5, 6, 7 }), 1, part,
+    "a hexahedron with a corner pushed through", check);
+  // The same as a structured grid, whose points are in the order of a voxel.
+  vtkNew<vtkStructuredGrid> structured;
+  structured->SetDimensions(2, 2, 2);
+  vtkNew<vtkPoints> twisted;
+  for (const int corner : { 0, 1, 3, 2, 4, 5, 6, 7 })
+  {
+    twisted->InsertNextPoint(cube[corner].data());
+  }
+  structured->SetPoints(twisted);
+  AddLinearField(structured, { 0.0, { 1.0, 1.0, 1.0 } });
+  ExpectFolded(structured, 1, part, "a structured grid with a twisted face", check);
+}
+
+void CheckAxes(Check& check)
+{
+  const auto make = [](const std::vector<double>& y)
+  {
+    auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
+    const int n = static_cast<int>(y.size());
+    grid->SetDimensions(4, n, 3);
+    vtkNew<vtkDoubleArray> axes[3];
+    for (int i = 0; i < 4; ++i)
+    {
+      axes[0]->InsertNextValue(i);
+      axes[2]->InsertNextValue(2 * i);
+    }
+    axes[2]->SetNumberOfTuples(3);
+    for (const double value : y)
+    {
+      axes[1]->InsertNextValue(value);
+    }
+    grid->SetXCoordinates(axes[0]);
+    grid->SetYCoordinates(axes[1]);
+    grid->SetZCoordinates(axes[2]);
+    AddLinearField(grid, { 0.0, { 1.0, 0.0, 0.0 } });
+    return grid;
+  };
+  // A row of cells across the axis has 3 x 2 cells.
+  ExpectFolded(make({ 0, 1, 3 }), 0, "", "ascending coordinates", check);
+  ExpectFolded(make({ 3, 1, 0 }), 0, "", "descending coordinates", check);
+  ExpectFolded(make({ 0, 2, 1, 3 }), 6, "along y turn back or repeat at number 2 (1 after 2)",
+    "coordinates that turn back", check);
+  ExpectFolded(make({ 0, 2, 2, 1, 3 }), 12, "at number 2 (2 after 2)",
+    "coordinates that repeat and turn back", check);
+  ExpectFolded(make({ 3, 2, 2, 1 }), 6, "at number 2 (2 after 2)",
+    "descending coordinates that repeat", check);
+}
+
+/// Cubes of 4 cells from 0 to 4, and of 4 cells from 1 to 3 in the middle.
+vtkSmartPointer<vtkOverlappingAMR> MakeLevels()
+{
+  auto levels = vtkSmartPointer<vtkOverlappingAMR>::New();
+  const int blocks[] = { 1, 1 };
+  levels->Initialize(2, blocks);
+  const double origin[] = { 0.0, 0.0, 0.0 };
+  levels->SetOrigin(origin);
+  levels->SetGridDescription(VTK_XYZ_GRID);
+  for (unsigned int level = 0; level < 2; ++level)
+  {
+    vtkNew<vtkUniformGrid> grid;
+    const double spacing = level == 0 ? 1.0 : 0.5;
+    const double spacings[] = { spacing, spacing, spacing };
+    grid->SetOrigin(level, level, level);
+    grid->SetSpacing(spacings);
+    grid->SetDimensions(5, 5, 5);
+    AddLinearField(grid, { 0.0, { 1.0, 0.0, 0.0 } });
+    levels->SetSpacing(level, spacings);
+    levels->SetAMRBox(level, 0,
+      vtkAMRBox(grid->GetOrigin(), grid->GetDimensions(), spacings, origin, VTK_XYZ_GRID));
+    levels->SetDataSet(level, 0, grid);
+    levels->SetRefinementRatio(level, 2);
+  }
+  return levels;
+}
+
+/// Where x is 1.25 the cells of the coarse level from 1 to 2 are cut: four are covered, and of the
+/// others two meet the fine level on each of four sides.
+void CheckLevels(Check& check)
+{
+  const auto levels = MakeLevels();
+  for (const bool isBlanked : { false, true })
+  {
+    if (isBlanked)
+    {
+      vtkAMRUtilities::BlankCells(levels);
+    }
+    const Warned warned = WarnAll(levels, 1.25);
+    for (std::size_t i = 0; i < warned.Texts.size(); ++i)
+    {
+      const std::string name = (isBlanked ? "blanked, filter " : "filter ") + std::to_string(i);
+      check.Equal(warned.Reports[i].CoveredCells, isBlanked ? 0 : 4, name + ": covered cells");
+      check.Equal(warned.Reports[i].LevelFaces, 8, name + ": faces between levels");
+      check.That(Says(warned.Texts[i], "4 cells of AMR levels are not blanked") == !isBlanked &&
+          Says(warned.Texts[i], "meet at 8 faces"),
+        name + ": " + warned.Texts[i]);
+    }
+  }
+  const Warned elsewhere = WarnAll(levels, 0.25);
+  for (const std::string& text : elsewhere.Texts)
+  {
+    check.That(text.empty(), "nothing where levels are not met: " + text);
+  }
+}
 }
 
 int TestIntervalVolumeWarnings(int, char*[])
@@ -146,5 +359,11 @@ int TestIntervalVolumeWarnings(int, char*[])
   CheckConcave(check);
   check.SetContext("far from the origin");
   CheckFar(check);
+  check.SetContext("folded cells");
+  CheckFolded(check);
+  check.SetContext("rectilinear grids");
+  CheckAxes(check);
+  check.SetContext("AMR");
+  CheckLevels(check);
   return check.Result();
 }

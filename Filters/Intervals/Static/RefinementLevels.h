@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_RefinementLevels_h
+#define interlume_RefinementLevels_h
+
+#include "vtkIntervalList.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkAbstractArray;
+class vtkDataObject;
+class vtkDataSet;
+struct vtkExtractionReport;
+
+namespace interlume
+{
+
+/**
+ * @class   RefinementLevels
+ * @brief   checks the levels of an AMR dataset, which are extracted one by one
+ *
+ * Finds cells with output that cells of a finer level cover, and faces between cells of two levels
+ * that an isovalue crosses: the surfaces of the two levels do not fit together there. Other
+ * datasets are ignored.
+ */
+class RefinementLevels
+{
+public:
+  /// Returns the scalars of a dataset, or null.
+  using ArrayFinder = std::function<vtkAbstractArray*(vtkDataSet*)>;
+
+  /// Adds the counts to \a report. An isosurface is an interval of zero width.
+  static void Count(vtkDataObject* input, const std::vector<vtkIntervalList::Interval>& intervals,
+    const ArrayFinder& findArray, vtkExtractionReport& report);
+
+  /// Returns warnings for the counts.
+  static std::vector<std::string> GetWarnings(const vtkExtractionReport& report);
+};
+
+}
+
+#endif
