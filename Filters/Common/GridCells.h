@@ -9,6 +9,7 @@
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkGenericCell.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
@@ -17,6 +18,7 @@
 #include "vtkVersion.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 namespace interlume
@@ -30,7 +32,9 @@ namespace interlume
  * - types of cells: up to 9.5 always an array, vtkUnstructuredGrid::GetCellTypesArray; from 9.6 on
  *   GetCellTypes, which may be a formula, as SetCells makes it where all cells are of one type;
  * - offsets and point ids: up to 9.5 a vtkTypeInt32Array or vtkTypeInt64Array; later a
- *   vtkAOSDataArrayTemplate of either, any array, or for offsets of equal cells a formula.
+ *   vtkAOSDataArrayTemplate of either, any array, or for offsets of equal cells a formula;
+ * - faces of polyhedra: up to 9.3 a stream of numbers, and where each cell's part begins; from 9.4
+ *   on two vtkCellArray, the faces of cells and the points of faces.
  */
 class GridCells
 {
@@ -54,6 +58,50 @@ public:
   {
     vtkDataArray* stored = GetStoredTypes(grid);
     return stored ? ArrayViews::Get<Types>(stored) : vtkSmartPointer<Types>::New();
+  }
+
+  /// Returns the time of the last change of the faces of polyhedra.
+  static vtkMTimeType GetFaceTime(vtkUnstructuredGrid* grid)
+  {
+    vtkMTimeType time = 0;
+    for (vtkObject* array : GetFaceArrays(grid))
+    {
+      time = array ? std::max(time, array->GetMTime()) : time;
+    }
+    return time;
+  }
+
+  /// Returns true if the arrays of \a grid hold all faces of the polyhedron \a cell, so that
+  /// vtkUnstructuredGrid::GetFaceStream can read them.
+  static bool HasFaces(vtkUnstructuredGrid* grid, vtkIdType cell)
+  {
+    const auto [faces, locations] = GetFaceArrays(grid);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+    if (!faces || !locations || !IsWithin(locations, cell))
+    {
+      return false;
+    }
+    vtkNew<vtkIdList> ids;
+    locations->GetCellAtId(cell, ids);
+    return std::all_of(ids->begin(), ids->end(),
+      [points = faces](vtkIdType face) { return IsWithin(points, face); });
+#else
+    const vtkIdType size = faces ? faces->GetNumberOfValues() : 0;
+    vtkIdType at =
+      locations && cell < locations->GetNumberOfValues() ? locations->GetValue(cell) : size;
+    if (at < 0 || at >= size || faces->GetValue(at) < 0)
+    {
+      return false;
+    }
+    // Each face begins with the number of its points.
+    vtkIdType left = faces->GetValue(at++);
+    for (; left > 0 && at < size && faces->GetValue(at) >= 0; --left)
+    {
+      const vtkIdType points = faces->GetValue(at++);
+      at = points <= size - at ? at + points : size + 1;
+    }
+    return left == 0 && at <= size;
+#endif
   }
 
   /// Gives \a grid cells of one type. Where VTK keeps a type for each cell, \a allocate(types,
@@ -99,6 +147,35 @@ public:
     const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
     return cell ? cell->GetClassName() : "cell of unknown type";
   }
+
+private:
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+  using Faces = vtkCellArray;
+
+  static std::array<Faces*, 2> GetFaceArrays(vtkUnstructuredGrid* grid)
+  {
+    return { grid->GetPolyhedronFaces(), grid->GetPolyhedronFaceLocations() };
+  }
+
+  /// Returns true if the ids of a cell, or face, of \a cells lie within its arrays.
+  static bool IsWithin(vtkCellArray* cells, vtkIdType cell)
+  {
+    if (cell < 0 || cell >= cells->GetNumberOfCells())
+    {
+      return false;
+    }
+    const vtkIdType size = cells->GetCellSize(cell);
+    const vtkIdType first = cells->GetOffset(cell);
+    return first >= 0 && size >= 0 && size <= cells->GetNumberOfConnectivityIds() - first;
+  }
+#else
+  using Faces = vtkIdTypeArray;
+
+  static std::array<Faces*, 2> GetFaceArrays(vtkUnstructuredGrid* grid)
+  {
+    return { grid->GetFaces(), grid->GetFaceLocations() };
+  }
+#endif
 };
 
 }

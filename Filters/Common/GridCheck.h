@@ -10,6 +10,7 @@
 #include "vtkCellType.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkSMPTools.h"
 #include "vtkStructuredGrid.h"
@@ -31,10 +32,50 @@ namespace interlume
  * Says where the arrays that a grid is made of contradict each other, as those of a damaged file
  * do, before anyone follows them beyond their ends: cells that name points which are not there,
  * that have fewer points than their type, or whose offsets decrease; fewer points or coordinates
- * than the extent has. The lengths of the streams of polyhedral faces are taken as they are.
+ * than the extent has; polyhedra without faces.
  */
 namespace GridCheck
 {
+/// Returns the least number of points of a type of cells that may have more: the corners of types
+/// of any order. 0 for other types.
+inline int GetLeastCorners(unsigned char type)
+{
+  switch (type)
+  {
+    case VTK_HIGHER_ORDER_EDGE:
+    case VTK_LAGRANGE_CURVE:
+    case VTK_BEZIER_CURVE:
+      return 2;
+    case VTK_HIGHER_ORDER_TRIANGLE:
+    case VTK_HIGHER_ORDER_POLYGON:
+    case VTK_LAGRANGE_TRIANGLE:
+    case VTK_BEZIER_TRIANGLE:
+      return 3;
+    case VTK_HIGHER_ORDER_QUAD:
+    case VTK_LAGRANGE_QUADRILATERAL:
+    case VTK_BEZIER_QUADRILATERAL:
+    case VTK_HIGHER_ORDER_TETRAHEDRON:
+    case VTK_LAGRANGE_TETRAHEDRON:
+    case VTK_BEZIER_TETRAHEDRON:
+    case VTK_POLYHEDRON:
+      return 4;
+    case VTK_HIGHER_ORDER_PYRAMID:
+    case VTK_LAGRANGE_PYRAMID:
+    case VTK_BEZIER_PYRAMID:
+      return 5;
+    case VTK_HIGHER_ORDER_WEDGE:
+    case VTK_LAGRANGE_WEDGE:
+    case VTK_BEZIER_WEDGE:
+      return 6;
+    case VTK_HIGHER_ORDER_HEXAHEDRON:
+    case VTK_LAGRANGE_HEXAHEDRON:
+    case VTK_BEZIER_HEXAHEDRON:
+      return 8;
+    default:
+      return 0;
+  }
+}
+
 /// Returns the least number of points that a cell of a type has. Each type is looked into when it
 /// is first asked for: to make a cell of every one takes longer than to check a small grid.
 inline vtkIdType GetLeastSize(unsigned char type)
@@ -48,30 +89,37 @@ inline vtkIdType GetLeastSize(unsigned char type)
       type == VTK_TRIANGLE_STRIP || type == VTK_POLYGON || type >= VTK_CONVEX_POINT_SET;
     const auto cell =
       vtkSmartPointer<vtkCell>::Take(isAnySize ? nullptr : vtkGenericCell::InstantiateCell(type));
-    found = 1 + (cell ? static_cast<int>(cell->GetNumberOfPoints()) : 0);
+    found = 1 + (cell ? static_cast<int>(cell->GetNumberOfPoints()) : GetLeastCorners(type));
     known[type].store(found, std::memory_order_relaxed);
   }
   return found - 1;
 }
 
 /**
- * @class   CheckedCells
- * @brief   remembers the cells that were found whole, by when their arrays were modified, so that
- *          filters of one grid, and one filter that executes again, look through them once
+ * @class   CheckedArrays
+ * @brief   remembers the cells and points in which nothing was wrong, by when their arrays were
+ *          modified, so that filters of one grid, and one filter that executes again, look through
+ *          them once
  */
-class CheckedCells
+class CheckedArrays
 {
 public:
-  using Key = std::array<vtkMTimeType, 6>;
+  using Key = std::array<vtkMTimeType, 7>;
 
   static Key MakeKey(vtkUnstructuredGrid* grid)
   {
     vtkCellArray* cells = grid->GetCells();
     vtkDataArray* types = GridCells::GetStoredTypes(grid);
     return { cells->GetConnectivityArray()->GetMTime(), cells->GetOffsetsArray()->GetMTime(),
-      types ? types->GetMTime() : 0, static_cast<vtkMTimeType>(grid->GetNumberOfCells()),
+      types ? types->GetMTime() : 0, GridCells::GetFaceTime(grid),
+      static_cast<vtkMTimeType>(grid->GetNumberOfCells()),
       static_cast<vtkMTimeType>(cells->GetNumberOfConnectivityIds()),
       static_cast<vtkMTimeType>(grid->GetNumberOfPoints()) };
+  }
+
+  static Key MakeKey(vtkPoints* points)
+  {
+    return { points->GetMTime(), static_cast<vtkMTimeType>(points->GetNumberOfPoints()) };
   }
 
   static bool Has(const Key& key)
@@ -180,33 +228,53 @@ inline std::string DescribeCell(vtkUnstructuredGrid* grid, vtkIdType cell, const
   return {};
 }
 
-/// Returns the first polyhedron that has a face with a point which is not there, and what it is.
-inline std::string FindPolyhedronFault(vtkUnstructuredGrid* grid)
+/// Returns an error message for the faces of a polyhedron, or an empty string.
+inline std::string DescribeFaces(vtkUnstructuredGrid* grid, vtkIdType cell)
 {
-  vtkNew<vtkIdList> stream;
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  constexpr vtkIdType leastFaces = 4;
+  const auto describe = [cell](const std::string& fault)
+  { return "cell " + std::to_string(cell) + " (vtkPolyhedron) has " + fault; };
+  if (!GridCells::HasFaces(grid, cell))
   {
-    if (grid->GetCellType(cell) != VTK_POLYHEDRON)
+    return describe("no faces in the grid's arrays of faces. Set the faces with the cells");
+  }
+  vtkNew<vtkIdList> stream;
+  grid->GetFaceStream(cell, stream);
+  const vtkIdType faces = stream->GetNumberOfIds() > 0 ? stream->GetId(0) : 0;
+  if (faces < leastFaces)
+  {
+    return describe(
+      ArrayCheck::Count(faces, "face") + "; " + std::to_string(leastFaces) + " are needed");
+  }
+  // After the number of faces each begins with the number of its points.
+  for (vtkIdType i = 1; i < stream->GetNumberOfIds(); i += stream->GetId(i) + 1)
+  {
+    const vtkIdType end = std::min(i + 1 + stream->GetId(i), stream->GetNumberOfIds());
+    for (vtkIdType j = i + 1; j < end; ++j)
     {
-      continue;
-    }
-    grid->GetFaceStream(cell, stream);
-    // After the number of faces each begins with the number of its points.
-    for (vtkIdType i = 1; i < stream->GetNumberOfIds(); i += stream->GetId(i) + 1)
-    {
-      const vtkIdType end = std::min(i + 1 + stream->GetId(i), stream->GetNumberOfIds());
-      for (vtkIdType j = i + 1; j < end; ++j)
+      if (stream->GetId(j) < 0 || stream->GetId(j) >= grid->GetNumberOfPoints())
       {
-        if (stream->GetId(j) < 0 || stream->GetId(j) >= grid->GetNumberOfPoints())
-        {
-          return "cell " + std::to_string(cell) + " (vtkPolyhedron) has a face with the point " +
-            std::to_string(stream->GetId(j)) + "; the grid has " +
-            ArrayCheck::Count(grid->GetNumberOfPoints(), "point");
-        }
+        return describe("a face with the point " + std::to_string(stream->GetId(j)) +
+          "; the grid has " + ArrayCheck::Count(grid->GetNumberOfPoints(), "point"));
       }
     }
   }
   return {};
+}
+
+/// Returns an error message for the first polyhedron whose faces cannot be used, or an empty
+/// string.
+inline std::string FindPolyhedronFault(vtkUnstructuredGrid* grid)
+{
+  std::string fault;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells() && fault.empty(); ++cell)
+  {
+    if (grid->GetCellType(cell) == VTK_POLYHEDRON)
+    {
+      fault = DescribeFaces(grid, cell);
+    }
+  }
+  return fault;
 }
 
 inline std::string FindUnstructuredFault(vtkUnstructuredGrid* grid)
@@ -222,8 +290,8 @@ inline std::string FindUnstructuredFault(vtkUnstructuredGrid* grid)
     return "the grid has " + ArrayCheck::Count(cells, "cell") + " and " +
       ArrayCheck::Count(types ? types->GetNumberOfTuples() : 0, "type");
   }
-  const CheckedCells::Key key = CheckedCells::MakeKey(grid);
-  if (CheckedCells::Has(key))
+  const CheckedArrays::Key key = CheckedArrays::MakeKey(grid);
+  if (CheckedArrays::Has(key))
   {
     return {};
   }
@@ -264,7 +332,7 @@ inline std::string FindUnstructuredFault(vtkUnstructuredGrid* grid)
   }
   if (fault.empty())
   {
-    CheckedCells::Add(key);
+    CheckedArrays::Add(key);
   }
   return fault;
 }

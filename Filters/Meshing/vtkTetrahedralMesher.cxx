@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTetrahedralMesher.h"
 
+#include "Common/ArrayCheck.h"
+#include "Common/GridCheck.h"
 #include "Interpolation/MeshedArrays.h"
 #include "Mesh/MeshMeasures.h"
 #include "Meshers/CellMesher.h"
@@ -125,6 +127,12 @@ int vtkTetrahedralMesher::RequestData(
 
 std::string vtkTetrahedralMesher::Mesh(interlume::MeshingJob& job)
 {
+  const std::string wrong =
+    interlume::ArrayCheck::MakeSentence(interlume::GridCheck::Find(job.Input));
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
   int dimension = 0;
   const vtkIdType cells = job.Input->GetNumberOfCells();
   for (vtkIdType cell = 0; cell < cells; ++cell)

@@ -57,13 +57,14 @@ struct MeshingJob;
  * still.
  *
  * Errors (vtkErrorMacro, empty output), with the number of the cell or point: a coordinate that is
- * not finite; a surface that is open or intersects itself; a polygon that meets itself or has no
- * area; points in one plane; a cell without volume, with faces that are not closed, or that cannot
- * be decomposed; global ids that are not one integer for each point; TetGen's own failures.
- * Warnings: tetrahedra that exceed a bound, next to small angles of the input or where
- * PreserveBoundary or MaximumNumberOfAddedPoints leaves no choice; cells of a type that is not
- * taken; an output without tetrahedra and why, once for a composite input, unless WarnOnEmptyOutput
- * is off or it is one piece of several.
+ * not finite; a cell with fewer points than its type needs, or with points that do not exist; a
+ * surface that is open or intersects itself; a polygon that meets itself or has no area; points in
+ * one plane; a cell without volume, with faces that are not closed, or that cannot be decomposed;
+ * global ids that are not one integer for each point; TetGen's own failures. Warnings: tetrahedra
+ * that exceed a bound, next to small angles of the input or where PreserveBoundary or
+ * MaximumNumberOfAddedPoints leaves no choice; cells of a type that is not taken; an output without
+ * tetrahedra and why, once for a composite input, unless WarnOnEmptyOutput is off or it is one piece
+ * of several.
  *
  * TetGen is under the AGPL: this module is optional (INTERLUME_ENABLE_TETGEN).
  *

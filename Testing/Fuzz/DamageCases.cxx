@@ -83,15 +83,15 @@ std::string DamageCells(FuzzRandom& random, vtkUnstructuredGrid* grid)
       break;
     case 2:
     {
-      const int type = random.Pick<int>({ VTK_QUADRATIC_HEXAHEDRON, VTK_LAGRANGE_TETRAHEDRON,
-        VTK_LAGRANGE_HEXAHEDRON, VTK_LAGRANGE_WEDGE, VTK_LAGRANGE_PYRAMID, VTK_BEZIER_TETRAHEDRON,
-        VTK_BEZIER_HEXAHEDRON, VTK_BEZIER_WEDGE, VTK_BEZIER_PYRAMID, VTK_HIGHER_ORDER_HEXAHEDRON });
-      const vtkIdType corners = offsets->GetValue(cell + 1) - offsets->GetValue(cell);
-      if (corners >= (type == VTK_QUADRATIC_HEXAHEDRON ? 20 : 4))
+      const vtkIdType size = offsets->GetValue(cell + 1) - offsets->GetValue(cell);
+      if (size >= 20)
       {
         return {};
       }
-      types->SetValue(cell, static_cast<unsigned char>(type));
+      types->SetValue(cell,
+        size >= 8 ? VTK_QUADRATIC_HEXAHEDRON
+                  : random.Pick<unsigned char>({ VTK_QUADRATIC_HEXAHEDRON, VTK_LAGRANGE_HEXAHEDRON,
+                      VTK_BEZIER_HEXAHEDRON }));
       break;
     }
     default:

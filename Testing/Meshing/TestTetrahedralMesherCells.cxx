@@ -10,8 +10,11 @@
 #include "Reference/Meshes/ReferenceMeshing.h"
 #include "Reference/Meshes/ReferenceVolume.h"
 
+#include "vtkCell.h"
 #include "vtkCellData.h"
+#include "vtkCellType.h"
 #include "vtkDataArray.h"
+#include "vtkGenericCell.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -19,6 +22,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <string>
 
 namespace
 {
@@ -245,6 +249,38 @@ void CheckArrays(Check& check)
     "tetrahedra of polyhedra and of others");
 }
 
+/// A cell with too few points is named, be it between others or the last one.
+void CheckTooFew(Check& check)
+{
+  for (const int type :
+    { VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON, VTK_VOXEL, VTK_PENTAGONAL_PRISM })
+  {
+    const auto whole = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+    const vtkIdType needed = whole->GetNumberOfPoints();
+    for (const vtkIdType has : { vtkIdType(0), vtkIdType(1), needed - 1 })
+    {
+      for (const bool isLast : { false, true })
+      {
+        auto mesh = MakeMesh(MeshKind::Hexahedra, { 2, 2, 2 });
+        const vtkIdType ids[] = { 0, 1, 2, 3, 4, 5, 6, 7, 8 };
+        mesh->InsertNextCell(type, has, ids);
+        if (!isLast)
+        {
+          mesh->InsertNextCell(VTK_TETRA, 4, ids);
+        }
+        check.SetContext("type " + std::to_string(type) + ", " + std::to_string(has) + " points");
+        vtkNew<vtkTetrahedralMesher> mesher;
+        mesher->SetInputData(mesh);
+        const std::string said = MessagesOf(mesher);
+        check.That(said.find("Cell 8 (") != std::string::npos &&
+            said.find("; " + std::to_string(needed) + " are needed") != std::string::npos,
+          "error: " + said);
+        check.Equal(mesher->GetOutput()->GetNumberOfCells(), 0, "cells");
+      }
+    }
+  }
+}
+
 }
 
 int TestTetrahedralMesherCells(int, char*[])
@@ -256,5 +292,6 @@ int TestTetrahedralMesherCells(int, char*[])
   CheckBlocks(check);
   CheckSingle(check);
   CheckArrays(check);
+  CheckTooFew(check);
   return check.Result();
 }

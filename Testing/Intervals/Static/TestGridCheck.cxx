@@ -1,20 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is said of grids whose cells contradict their arrays, with ids of 32 and of 64 bits: the
-// first cell that is wrong, and nothing of a grid that is whole.
+// first cell that is wrong, and nothing of a grid that is whole. Every filter says it, of grids
+// from files too.
 #include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/TimeVarying/ReferenceTimeVarying.h"
 
 #include "Common/GridCheck.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
+#include "vtkCommand.h"
+#include "vtkIntervalVolume.h"
+#include "vtkIsotableContour.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
+#include "vtkTestErrorObserver.h"
+#include "vtkTimeSlabWriter.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkXMLUnstructuredGridReader.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -111,6 +124,216 @@ void CheckAll(const std::string& name, Check& check)
   expect("a type of any size", { -1, -1, 4, VTK_POLY_VERTEX }, "");
 }
 
+/// The types of any order, and how many corners they have.
+struct OrderedType
+{
+  int Type;
+  int Corners;
+  std::string Name;
+};
+
+std::vector<OrderedType> GetOrderedTypes()
+{
+  const std::string unknown = "cell of unknown type";
+  return {
+    { VTK_HIGHER_ORDER_EDGE, 2, unknown },
+    { VTK_HIGHER_ORDER_TRIANGLE, 3, unknown },
+    { VTK_HIGHER_ORDER_QUAD, 4, unknown },
+    { VTK_HIGHER_ORDER_POLYGON, 3, unknown },
+    { VTK_HIGHER_ORDER_TETRAHEDRON, 4, unknown },
+    { VTK_HIGHER_ORDER_WEDGE, 6, unknown },
+    { VTK_HIGHER_ORDER_PYRAMID, 5, unknown },
+    { VTK_HIGHER_ORDER_HEXAHEDRON, 8, unknown },
+    { VTK_LAGRANGE_CURVE, 2, "vtkLagrangeCurve" },
+    { VTK_LAGRANGE_TRIANGLE, 3, "vtkLagrangeTriangle" },
+    { VTK_LAGRANGE_QUADRILATERAL, 4, "vtkLagrangeQuadrilateral" },
+    { VTK_LAGRANGE_TETRAHEDRON, 4, "vtkLagrangeTetra" },
+    { VTK_LAGRANGE_HEXAHEDRON, 8, "vtkLagrangeHexahedron" },
+    { VTK_LAGRANGE_WEDGE, 6, "vtkLagrangeWedge" },
+    { VTK_LAGRANGE_PYRAMID, 5, unknown },
+    { VTK_BEZIER_CURVE, 2, "vtkBezierCurve" },
+    { VTK_BEZIER_TRIANGLE, 3, "vtkBezierTriangle" },
+    { VTK_BEZIER_QUADRILATERAL, 4, "vtkBezierQuadrilateral" },
+    { VTK_BEZIER_TETRAHEDRON, 4, "vtkBezierTetra" },
+    { VTK_BEZIER_HEXAHEDRON, 8, "vtkBezierHexahedron" },
+    { VTK_BEZIER_WEDGE, 6, "vtkBezierWedge" },
+    { VTK_BEZIER_PYRAMID, 5, unknown },
+    // The others have a number of their own.
+    { VTK_QUADRATIC_HEXAHEDRON, 20, "vtkQuadraticHexahedron" },
+    { VTK_HEXAHEDRON, 8, "vtkHexahedron" },
+    { VTK_PENTAGONAL_PRISM, 10, "vtkPentagonalPrism" },
+    { VTK_POLYHEDRON, 4, "vtkPolyhedron" },
+  };
+}
+
+/// The corners of a cube, and a hexahedron and a cell of the first points of another type.
+template <typename Array>
+vtkSmartPointer<vtkUnstructuredGrid> MakePair(int type, int size)
+{
+  vtkNew<Array> offsets;
+  vtkNew<Array> ids;
+  vtkNew<vtkUnsignedCharArray> types;
+  for (int i = 0; i < 8 + size; ++i)
+  {
+    ids->InsertNextValue(i < 8 ? i : (i - 8) % 8);
+  }
+  for (const int offset : { 0, 8, 8 + size })
+  {
+    offsets->InsertNextValue(offset);
+  }
+  types->InsertNextValue(VTK_HEXAHEDRON);
+  types->InsertNextValue(static_cast<unsigned char>(type));
+  vtkNew<vtkPoints> points;
+  for (int p = 0; p < 8; ++p)
+  {
+    points->InsertNextPoint((p ^ (p >> 1)) & 1, (p >> 1) & 1, p >> 2);
+  }
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, ids);
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(points);
+  grid->SetCells(types, cells, nullptr, nullptr);
+  AddRandomField(grid, 1);
+  return grid;
+}
+
+/// What filters of intervals say of a grid.
+std::vector<std::string> Ask(vtkUnstructuredGrid* grid, Check& check)
+{
+  vtkNew<vtkIntervalVolume> intervals;
+  intervals->SetInputData(grid);
+  intervals->SetInterval(0, 0.25, 0.75);
+  vtkNew<vtkIsotableContour> contour;
+  contour->SetInputData(grid);
+  contour->SetValue(0, 0.5);
+  const TimeVaryingPipeline pipeline(RepeatGrid(grid, { 0, 1 }), { { { 0.25, 0.75 } } });
+  std::vector<std::string> said;
+  for (vtkAlgorithm* filter :
+    { static_cast<vtkAlgorithm*>(intervals.Get()), static_cast<vtkAlgorithm*>(contour.Get()),
+      static_cast<vtkAlgorithm*>(pipeline.Filter.Get()) })
+  {
+    said.push_back(MessagesOf(filter));
+    check.Equal(
+      vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfCells(), 0, "cells");
+  }
+  return said;
+}
+
+template <typename Array>
+void CheckSizes(const std::string& name, Check& check)
+{
+  for (const OrderedType& type : GetOrderedTypes())
+  {
+    for (const int size : std::vector<int>{ 0, 1, type.Corners - 1 })
+    {
+      check.SetContext(name + ", " + std::to_string(type.Type) + ", " + std::to_string(size));
+      const auto grid = MakePair<Array>(type.Type, size);
+      const std::string expected = "ell 1 (" + type.Name + ") has " + std::to_string(size) +
+        (size == 1 ? " point; " : " points; ") + std::to_string(type.Corners) + " are needed";
+      const std::string found = interlume::GridCheck::Find(grid);
+      check.That(found == "c" + expected, found);
+      for (const std::string& said : Ask(grid, check))
+      {
+        check.That(said.find("C" + expected) != std::string::npos ||
+            said.find("c" + expected) != std::string::npos,
+          "error: " + said);
+      }
+    }
+    if (type.Type != VTK_POLYHEDRON)
+    {
+      const std::string found =
+        interlume::GridCheck::Find(MakePair<Array>(type.Type, type.Corners));
+      check.That(found.empty(), "as many as there are corners: " + found);
+    }
+  }
+}
+
+/// A writer of slabs says it too, and writes nothing.
+void CheckWriter(Check& check)
+{
+  check.SetContext("writer of slabs");
+  const auto folder = std::filesystem::temp_directory_path() / "TestGridCheck";
+  vtkNew<TemporalGrids> source;
+  source->SetSteps(RepeatGrid(MakePair<vtkTypeInt64Array>(VTK_LAGRANGE_HEXAHEDRON, 7), { 0, 1 }));
+  vtkNew<vtkTimeSlabWriter> writer;
+  writer->SetInputConnection(source->GetOutputPort());
+  writer->SetInterval(0, 0.25, 0.75);
+  writer->SetFileName((folder / "slabs.vtm").string().c_str());
+  vtkNew<vtkTest::ErrorObserver> watch;
+  writer->AddObserver(vtkCommand::ErrorEvent, watch);
+  check.That(!writer->Write(), "it fails");
+  const std::string said = watch->GetErrorMessage();
+  check.That(said.find("has 7 points; 8 are needed") != std::string::npos, "error: " + said);
+  std::filesystem::remove_all(folder);
+}
+
+/// A file of a tetrahedron and a cell of another type, which has the first points.
+vtkSmartPointer<vtkUnstructuredGrid> Read(int type, int size, const std::string& more)
+{
+  std::ostringstream text;
+  text << "<VTKFile type='UnstructuredGrid' version='1.0' header_type='UInt64'>"
+       << "<UnstructuredGrid><Piece NumberOfPoints='8' NumberOfCells='2'>"
+       << "<Points><DataArray type='Float64' NumberOfComponents='3' format='ascii'>"
+       << "0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1</DataArray></Points>"
+       << "<Cells><DataArray type='Int64' Name='connectivity' format='ascii'>0 1 2 4";
+  for (int i = 0; i < size; ++i)
+  {
+    text << " " << i;
+  }
+  text << "</DataArray><DataArray type='Int64' Name='offsets' format='ascii'>4 " << 4 + size
+       << "</DataArray><DataArray type='UInt8' Name='types' format='ascii'>10 " << type
+       << "</DataArray>" << more << "</Cells></Piece></UnstructuredGrid></VTKFile>";
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->ReadFromInputStringOn();
+  reader->SetInputString(text.str());
+  reader->Update();
+  vtkSmartPointer<vtkUnstructuredGrid> grid = reader->GetOutput();
+  AddRandomField(grid, 2);
+  return grid;
+}
+
+void CheckFiles(Check& check)
+{
+  const struct
+  {
+    std::string Name;
+    vtkSmartPointer<vtkUnstructuredGrid> Grid;
+    std::string Said;
+  } cases[] = {
+    { "Lagrange", Read(VTK_LAGRANGE_HEXAHEDRON, 3, ""),
+      "ell 1 (vtkLagrangeHexahedron) has 3 points; 8 are needed" },
+    { "polyhedron without faces", Read(VTK_POLYHEDRON, 4, ""),
+      "ell 1 (vtkPolyhedron) has no faces" },
+  };
+  for (const auto& one : cases)
+  {
+    check.SetContext("file, " + one.Name);
+    for (const std::string& said : Ask(one.Grid, check))
+    {
+      check.That(said.find(one.Said) != std::string::npos, "error: " + said);
+    }
+  }
+}
+
+/// A polyhedron needs four faces.
+void CheckFaces(Check& check)
+{
+  const vtkIdType ids[] = { 0, 1, 2, 4 };
+  const vtkIdType faces[] = { 3, 0, 1, 2, 3, 0, 1, 4, 3, 1, 2, 4, 3, 2, 0, 4 };
+  for (vtkIdType number = 0; number <= 4; ++number)
+  {
+    check.SetContext(std::to_string(number) + " faces");
+    auto grid = MakePair<vtkTypeInt64Array>(VTK_TETRA, 4);
+    grid->InsertNextCell(VTK_POLYHEDRON, 4, ids, number, faces);
+    const std::string found = interlume::GridCheck::Find(grid);
+    check.That(number == 4 ? found.empty()
+                           : found ==
+          "cell 2 (vtkPolyhedron) has " + interlume::ArrayCheck::Count(number, "face") +
+            "; 4 are needed",
+      found);
+  }
+}
+
 }
 
 int TestGridCheck(int, char*[])
@@ -118,5 +341,10 @@ int TestGridCheck(int, char*[])
   Check check;
   CheckAll<vtkTypeInt32Array>("32 bits", check);
   CheckAll<vtkTypeInt64Array>("64 bits", check);
+  CheckSizes<vtkTypeInt32Array>("32 bits", check);
+  CheckSizes<vtkTypeInt64Array>("64 bits", check);
+  CheckWriter(check);
+  CheckFiles(check);
+  CheckFaces(check);
   return check.Result();
 }
