@@ -140,6 +140,12 @@ int vtkFlowCriticalPoints::RequestData(
   this->Report.ZeroCells = search.GetCounts().ZeroCells;
   this->Report.DegenerateCells = search.GetCounts().DegenerateCells;
   this->Report.NonFiniteCells = search.GetCounts().NonFiniteCells;
+  this->Report.FillValueCells = search.GetCounts().FillValueCells;
+  const std::string fillValues = search.DescribeFillValues(vectors->GetName());
+  if (!fillValues.empty())
+  {
+    vtkWarningMacro(<< fillValues);
+  }
 
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -181,7 +187,8 @@ int vtkFlowCriticalPoints::RequestData(
     vtkWarningMacro("The field has no isolated critical point in "
       << input->GetNumberOfCells() << " cells: " << this->Report.ZeroCells << " are 0 throughout, "
       << this->Report.DegenerateCells << " have lines or surfaces of zeros, "
-      << this->Report.NonFiniteCells << " are not finite.");
+      << this->Report.NonFiniteCells << " are not finite, " << this->Report.FillValueCells
+      << " have fill values.");
   }
   this->UpdateProgress(1.0);
   return 1;
@@ -191,7 +198,7 @@ void vtkFlowCriticalPointsReport::Print(std::ostream& os, vtkIndent indent) cons
 {
   interlume::NamedValue::Print(os, indent,
     { { "ZeroCells", this->ZeroCells }, { "DegenerateCells", this->DegenerateCells },
-      { "NonFiniteCells", this->NonFiniteCells } });
+      { "NonFiniteCells", this->NonFiniteCells }, { "FillValueCells", this->FillValueCells } });
 }
 
 void vtkFlowCriticalPoints::PrintSelf(ostream& os, vtkIndent indent)

@@ -16,11 +16,12 @@
  */
 struct INTERLUMEFLOW_EXPORT vtkFlowCriticalPointsReport
 {
-  /// The numbers of cells that are 0 throughout, that have zeros which are not isolated, and that
-  /// are not finite.
+  /// The numbers of cells that are 0 throughout, that have zeros which are not isolated, that
+  /// are not finite, and that have a point with fill values.
   vtkIdType ZeroCells = 0;
   vtkIdType DegenerateCells = 0;
   vtkIdType NonFiniteCells = 0;
+  vtkIdType FillValueCells = 0;
 
   void Print(std::ostream& os, vtkIndent indent) const;
 };

@@ -125,13 +125,18 @@ int vtkFlowLIC::RequestData(
   output->ShallowCopy(points);
   this->SetProgressText("Convolving noise along streamlines");
   vtkNew<vtkFloatArray> values;
+  interlume::FillValues fill;
   if (wrong.empty())
   {
     values->SetName("LIC");
     values->SetNumberOfValues(points->GetNumberOfPoints());
     wrong = interlume::FieldDispatch::Execute(
       field, vectors, {},
-      [&](const auto& walker) { this->Convolve(walker, points, values->GetPointer(0)); },
+      [&](const auto& walker)
+      {
+        fill = walker.GetField().GetFillValues();
+        this->Convolve(walker, points, values->GetPointer(0));
+      },
       interlume::StageProgress(this, 0.0, interlume::FieldDispatch::BuildingPart));
   }
   if (!wrong.empty())
@@ -146,8 +151,15 @@ int vtkFlowLIC::RequestData(
   // SetScalars would remove the scalars that were active before.
   output->GetPointData()->AddArray(values);
   output->GetPointData()->SetActiveScalars(values->GetName());
-  if (this->Report.PointsOutside == this->Report.Points &&
-    interlume::OutputPiece::IsWhole(outputs->GetInformationObject(0)))
+  const bool isWhole = interlume::OutputPiece::IsWhole(outputs->GetInformationObject(0));
+  this->Report.FillValues = fill.Number;
+  if (fill.Number > 0 && isWhole)
+  {
+    vtkWarningMacro(<< fill.Describe(vectors->GetName(),
+                      "The least speed ignores them, but streamlines in cells with such points "
+                      "follow them."));
+  }
+  if (this->Report.PointsOutside == this->Report.Points && isWhole)
   {
     double bounds[6];
     field->GetBounds(bounds);
@@ -232,7 +244,7 @@ void vtkFlowLICReport::Print(std::ostream& os, vtkIndent indent) const
       { "PointsAtRest", this->PointsAtRest },
       { "PointsWithShortLines", this->PointsWithShortLines }, { "Steps", this->Steps },
       { "StepLength", this->StepLength }, { "Length", this->Length },
-      { "NoiseScale", this->NoiseScale } });
+      { "NoiseScale", this->NoiseScale }, { "FillValues", this->FillValues } });
 }
 
 void vtkFlowLIC::PrintSelf(ostream& os, vtkIndent indent)

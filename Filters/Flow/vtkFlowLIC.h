@@ -50,7 +50,8 @@ class MeshLinks;
  * They end where a step would leave the field, and where the velocity vanishes or turns by more
  * than a right angle in a step. The output is the same for any number of threads.
  *
- * Warnings (vtkWarningMacro): all points are outside of the field, but for pieces.
+ * Warnings (vtkWarningMacro), but not for pieces: all points are outside of the field; vectors that
+ * look like fill values (as for vtkImplicitFlowField::SetMaximumError), with the value.
  *
  * Errors (vtkErrorMacro, empty output): no vectors, or not three components at points; a field that
  * is no such dataset or that has no cells of three dimensions; more than 1,000,000 steps for

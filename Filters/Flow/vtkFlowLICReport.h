@@ -32,6 +32,8 @@ struct INTERLUMEFLOW_EXPORT vtkFlowLICReport
   double StepLength = 0.0;
   double Length = 0.0;
   double NoiseScale = 0.0;
+  /// The number of points of the field with vectors that look like fill values.
+  vtkIdType FillValues = 0;
 
   void Print(std::ostream& os, vtkIndent indent) const;
 };

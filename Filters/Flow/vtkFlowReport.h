@@ -77,8 +77,8 @@ public:
   /// How often samples were advected since the filter was made; an execution that advects none does
   /// not count.
   vtkIdType Executions = 0;
-  /// The largest speed at a point of the field, and how many points have speeds that automatic
-  /// values leave aside as fill values.
+  /// The largest speed at a point of the field; the number of points with vectors that look like
+  /// fill values, which automatic settings ignore.
   double MaximumSpeed = 0.0;
   vtkIdType FillValues = 0;
   /// The number of faces of cells of an unstructured grid of which it was known from an execution
@@ -109,6 +109,10 @@ public:
   /// The error and the speed in use, which tell what was taken for automatic settings.
   double MaximumError = 0.0;
   double MinimumSpeed = 0.0;
+  /// The component that the vectors of FillValues have, 0 if they differ or there are none, and the
+  /// largest speed at all other points.
+  double FillValue = 0.0;
+  double SpeedScale = 0.0;
 };
 
 #endif

@@ -7,6 +7,7 @@
 #include "Common/NamedValue.h"
 #include "Fields/FieldInput.h"
 #include "Fields/FieldVectors.h"
+#include "Numerics/SpeedScale.h"
 #include "Samples/ImplicitFlowRun.h"
 #include "Samples/OutputPiece.h"
 #include "Samples/RankSamples.h"
@@ -528,7 +529,7 @@ int vtkImplicitFlowField::RequestData(
   }
   this->Report = report;
   this->Report.Executions = executions + 1;
-  this->Finish(outputs->GetInformationObject(0), output);
+  this->Finish(outputs->GetInformationObject(0), vectors ? vectors->GetName() : nullptr, output);
   return 1;
 }
 
@@ -586,7 +587,7 @@ std::unique_ptr<interlume::FlowCheckpoint> vtkImplicitFlowField::OpenCheckpoint(
   return checkpoint;
 }
 
-void vtkImplicitFlowField::Finish(vtkInformation* info, vtkDataSet* output)
+void vtkImplicitFlowField::Finish(vtkInformation* info, const char* vectors, vtkDataSet* output)
 {
   output->GetPointData()->SetActiveScalars(vtkFlowStatus::TimeArray());
   if (this->Report.Samples == 0 || !interlume::OutputPiece::IsWhole(info))
@@ -604,11 +605,11 @@ void vtkImplicitFlowField::Finish(vtkInformation* info, vtkDataSet* output)
   }
   if (this->Report.FillValues > 0 && !(this->MaximumError > 0.0 && this->MinimumSpeed > 0.0))
   {
-    vtkWarningMacro("The speeds at " << this->Report.FillValues << " points, to "
-                                     << this->Report.MaximumSpeed
-                                     << ", are a thousand times as large as all others, and do not "
-                                        "count for the automatic error and least speed. Hide the "
-                                        "points where they are fill values.");
+    const interlume::FillValues fill{ this->Report.FillValues, this->Report.FillValue,
+      this->Report.MaximumSpeed, this->Report.SpeedScale };
+    vtkWarningMacro(<< fill.Describe(vectors,
+                      "The automatic MaximumError and MinimumSpeed ignore them, but streamlines in "
+                      "cells with such points follow them."));
   }
   if (!this->Report.Reached.empty())
   {

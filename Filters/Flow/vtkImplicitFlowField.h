@@ -131,8 +131,8 @@ struct AdvectionOptions;
  *
  * Warnings (vtkWarningMacro), but not for pieces: the input has no points; no sample reached a
  * surface, with how many ended in which way; faces that have a cell beyond them without a face that
- * fits, with their number; speeds that are a thousand times as large as all others, with their
- * number. For pieces too: a checkpoint that is refused, and one that cannot be written.
+ * fits, with their number; vectors that look like fill values, with the value, their number
+ * and the remedy. For pieces too: a checkpoint that is refused, and one that cannot be written.
  *
  * Errors (vtkErrorMacro, empty output): no vectors of that name or not of three components; a
  * surface that vtkTerminationSurface::PlaceIn or Update finds wrong; no surface and no domain
@@ -277,9 +277,11 @@ public:
 
   ///@{
   /**
-   * The largest local error, in world units per unit of time. 0: a millionth of the largest speed
-   * of the field that is no fill value: no more than a point in a hundred has one, at least about a
-   * thousand times as large as all others. Default 0. Valid: 0 and above.
+   * The largest local error, in world units per unit of time. 0: a millionth of the field's
+   * largest speed without fill values. These are much faster than all other points, and either at
+   * most one point in a hundred, or at most half of the points with the same number in their
+   * largest components (1e20, -9999). A number of at least 1e10 may be at nearly all points.
+   * Default 0. Valid: 0 and above.
    */
   vtkSetClampMacro(MaximumError, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumError, double);
@@ -492,8 +494,9 @@ private:
   /// that of processes with parts of the field.
   std::unique_ptr<interlume::FlowCheckpoint> OpenCheckpoint(vtkInformation* info,
     interlume::FlowFingerprint&& fingerprint, interlume::RankExchange* exchange);
-  /// Warns where no sample reached a surface, and makes AdvectionTime the active scalars.
-  void Finish(vtkInformation* info, vtkDataSet* output);
+  /// Warns of fill values, and if no sample reached a surface, and makes AdvectionTime the active
+  /// scalars. \a vectors is the name of the vectors.
+  void Finish(vtkInformation* info, const char* vectors, vtkDataSet* output);
   void AddSpheres(vtkDataSet* field, interlume::AdvectionOptions& options);
   /// Adds a surface to the options, and keeps it as long as they last.
   void UseSurface(vtkTerminationSurface* surface, int id, interlume::AdvectionOptions& options);

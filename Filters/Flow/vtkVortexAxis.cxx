@@ -239,6 +239,12 @@ int vtkVortexAxis::RequestData(
   }
   this->Report.Planes = flow.GetNumberOfPlanes();
   this->Report.Places = static_cast<vtkIdType>(search.GetZeros().size());
+  this->Report.FillValueCells = search.GetCounts().FillValueCells;
+  const std::string fillValues = search.DescribeFillValues(vectors->GetName());
+  if (!fillValues.empty())
+  {
+    vtkWarningMacro(<< fillValues);
+  }
   const Tracker tracker(flow, search.GetZeros(), this->MinimumSwirlStrength, this->SearchRadius);
   if (const Vortex* start =
         this->UseSeed ? tracker.FindNearest(this->Seed) : tracker.FindStrongest())
@@ -263,7 +269,7 @@ void vtkVortexAxisReport::Print(std::ostream& os, vtkIndent indent) const
 {
   interlume::NamedValue::Print(os, indent,
     { { "Planes", this->Planes }, { "Places", this->Places },
-      { "PointsOnAxis", this->PointsOnAxis } });
+      { "PointsOnAxis", this->PointsOnAxis }, { "FillValueCells", this->FillValueCells } });
 }
 
 void vtkVortexAxis::PrintSelf(ostream& os, vtkIndent indent)

@@ -21,6 +21,8 @@ struct INTERLUMEFLOW_EXPORT vtkVortexAxisReport
   vtkIdType Places = 0;
   /// The number of those places that belong to one vortex, which are the points of the line.
   vtkIdType PointsOnAxis = 0;
+  /// The number of cells that were skipped because a point has fill values.
+  vtkIdType FillValueCells = 0;
 
   void Print(std::ostream& os, vtkIndent indent) const;
 };

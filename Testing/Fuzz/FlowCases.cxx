@@ -69,12 +69,35 @@ vtkSmartPointer<vtkImplicitFlowField> MakeFilter(const Choice& choice)
   return filter;
 }
 
+/// Gives a share of the points a fill value.
+void AddFillValues(FuzzRandom& random, FuzzData& data)
+{
+  vtkDataArray* vectors = data.Data->GetPointData()->GetArray("v");
+  const double value = random.Pick<double>({ 1e20, -9999.0, -30000.0, 9.96921e36 });
+  const bool isFloat =
+    vectors && (vectors->GetDataType() == VTK_FLOAT || vectors->GetDataType() == VTK_DOUBLE);
+  if (!isFloat || !random.Chance(0.15))
+  {
+    return;
+  }
+  for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
+  {
+    const bool isFilled = random.Chance(0.3);
+    for (int c = 0; isFilled && c < vectors->GetNumberOfComponents(); ++c)
+    {
+      vectors->SetComponent(i, c, value);
+    }
+  }
+  data.Text += ", fill values of " + std::to_string(value);
+}
+
 }
 
 void RunFlow(FuzzRandom& random, std::string& text, reference::Check& check)
 {
   FuzzData data = MakeData(random);
   AddVectors(random, data);
+  AddFillValues(random, data);
   Choice choice;
   choice.Data = data.Data;
   choice.Surface = random.Whole(0, 2);

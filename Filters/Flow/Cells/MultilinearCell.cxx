@@ -210,6 +210,19 @@ bool MultilinearCell::IsFinite() const
     std::all_of(&this->Vectors[0][0], &this->Vectors[0][0] + 24, isFinite);
 }
 
+double MultilinearCell::GetLargestSpeed() const
+{
+  const int* corners = nullptr;
+  const int number = GetCorners(this->Shape, corners);
+  double largest = 0.0;
+  for (int i = 0; i < number; ++i)
+  {
+    largest =
+      std::max(largest, interlume::Vectors::SafeLength(glm::make_vec3(this->Vectors[corners[i]])));
+  }
+  return largest;
+}
+
 void MultilinearCell::GetWeights(const double p[3], double weights[8]) const
 {
   if (this->Shape == TETRAHEDRON)

@@ -65,6 +65,9 @@ public:
   /// Returns whether positions and vectors are finite.
   bool IsFinite() const;
 
+  /// Returns the largest speed at a point of the cell.
+  double GetLargestSpeed() const;
+
   /// Computes the weights of the points at p.
   void GetWeights(const double p[3], double weights[8]) const;
 

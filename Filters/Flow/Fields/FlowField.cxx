@@ -130,7 +130,7 @@ SpeedCount FlowField::CountSpeeds(const CellPoints& cells, bool hasOtherPoints,
         this->GetVector(point, v);
         if (Vectors::IsFinite(glm::make_vec3(v)))
         {
-          sum.Speeds.Add(Vectors::SafeLength(glm::make_vec3(v)));
+          sum.Speeds.Add(v);
         }
         else
         {
@@ -150,7 +150,7 @@ SpeedCount FlowField::CountSpeeds(const CellPoints& cells, bool hasOtherPoints,
 void FlowField::SetSpeeds(const SpeedCount& count)
 {
   this->MaximumSpeed = count.Speeds.GetLargest();
-  this->SpeedScale = count.Speeds.GetScale(this->NumberOfFillValues);
+  this->Fill = count.Speeds.FindFillValues();
   this->NumberOfNonFiniteVectors = count.NonFinite;
 }
 

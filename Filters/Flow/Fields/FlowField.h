@@ -4,7 +4,7 @@
 
 #include "Common/StageProgress.h"
 #include "Common/ArrayRows.h"
-#include "Fields/SpeedScale.h"
+#include "Numerics/SpeedScale.h"
 
 #include "vtkType.h"
 
@@ -63,9 +63,9 @@ public:
 
   /// Returns the largest length of a finite vector in a point of the field's cells; 0 without one.
   double GetMaximumSpeed() const { return this->MaximumSpeed; }
-  /// Returns the largest length without fill values, and in how many points those are (SpeedScale).
-  double GetSpeedScale() const { return this->SpeedScale; }
-  vtkIdType GetNumberOfFillValues() const { return this->NumberOfFillValues; }
+  /// Returns the largest length without fill values, and these values (SpeedScale).
+  double GetSpeedScale() const { return this->Fill.Scale; }
+  const FillValues& GetFillValues() const { return this->Fill; }
   /// Returns the number of points of the field's cells whose vector is not finite.
   vtkIdType GetNumberOfNonFiniteVectors() const { return this->NumberOfNonFiniteVectors; }
   /// Returns the lower and upper bounds of x, y, z of the dataset.
@@ -123,8 +123,7 @@ private:
   vtkIdType NumberOfCells = 0;
   vtkIdType NumberOfFlatCells = 0;
   double MaximumSpeed = 0.0;
-  double SpeedScale = 0.0;
-  vtkIdType NumberOfFillValues = 0;
+  FillValues Fill;
   vtkIdType NumberOfNonFiniteVectors = 0;
 };
 

@@ -357,7 +357,9 @@ template <typename FieldType>
 void ImplicitFlowRun::Describe(const FieldType& field)
 {
   this->Report.MaximumSpeed = field.GetMaximumSpeed();
-  this->Report.FillValues = field.GetNumberOfFillValues();
+  this->Report.FillValues = field.GetFillValues().Number;
+  this->Report.FillValue = field.GetFillValues().Value;
+  this->Report.SpeedScale = field.GetSpeedScale();
   this->Report.CellsOfFewerDimensions = field.GetNumberOfFlatCells();
   if constexpr (std::is_same_v<FieldType, StructuredFlowField> ||
     std::is_same_v<FieldType, UnstructuredFlowField>)

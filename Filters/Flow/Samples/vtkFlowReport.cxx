@@ -47,7 +47,8 @@ void vtkFlowReport::Print(std::ostream& os, vtkIndent indent) const
   interlume::NamedValue::Print(os, indent,
     { { "Executions", this->Executions }, { "MaximumError", this->MaximumError },
       { "MinimumSpeed", this->MinimumSpeed }, { "MaximumSpeed", this->MaximumSpeed },
-      { "FillValues", this->FillValues }, { "KeptFaces", this->KeptFaces },
+      { "FillValues", this->FillValues }, { "FillValue", this->FillValue },
+      { "SpeedScale", this->SpeedScale }, { "KeptFaces", this->KeptFaces },
       { "JoinedFaces", this->JoinedFaces }, { "LargestJoinedGap", this->LargestJoinedGap },
       { "OpenInterfaces", this->OpenInterfaces }, { "FieldBytes", this->FieldBytes },
       { "ResumedStreamlines", this->ResumedStreamlines }, { "Checkpoints", this->Checkpoints } });

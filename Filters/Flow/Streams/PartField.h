@@ -3,10 +3,10 @@
 #define interlume_PartField_h
 
 #include "Fields/FieldPart.h"
+#include "Fields/FlowField.h"
 #include "Fields/ImageFlowField.h"
 #include "Fields/LatticeWalker.h"
 #include "Fields/RectilinearFlowField.h"
-#include "Fields/SpeedScale.h"
 #include "Streams/RankField.h"
 
 #include <algorithm>

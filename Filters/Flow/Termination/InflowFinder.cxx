@@ -3,7 +3,7 @@
 
 #include "Cells/MultilinearCell.h"
 #include "Common/Blanking.h"
-#include "Fields/SpeedScale.h"
+#include "Numerics/SpeedScale.h"
 
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
@@ -40,8 +40,9 @@ struct Cell
   double Speed = 0.0;
 };
 
-/// Measures a cell, its flow in units of which the field's size, times \a scale, is about 1.
-Cell Measure(const MultilinearCell& loaded, double scale, bool isReversed)
+/// Measures a cell, its flow in units of which the field's size, times \a scale, is about 1, and
+/// adds the vectors of its points to \a speeds.
+Cell Measure(const MultilinearCell& loaded, double scale, bool isReversed, SpeedScale& speeds)
 {
   Cell cell;
   const int* corners = nullptr;
@@ -49,9 +50,9 @@ Cell Measure(const MultilinearCell& loaded, double scale, bool isReversed)
   const double volume = std::abs(loaded.GetVolume(scale));
   for (int i = 0; i < number; ++i)
   {
-    const auto& v = loaded.GetVectors()[corners[i]];
-    cell.Speed = std::max(cell.Speed, std::hypot(v[0], v[1], v[2]));
+    speeds.Add(loaded.GetVectors()[corners[i]]);
   }
+  cell.Speed = loaded.GetLargestSpeed();
   for (int axis = 0; axis < 3; ++axis)
   {
     double low = loaded.GetPositions()[corners[0]][axis];
@@ -111,17 +112,15 @@ std::vector<Cell> ReadCells(vtkDataSet* field, vtkDataArray* vectors, bool isRev
     loaded.Load(field, vectors, id, ids);
     if (loaded.IsFinite())
     {
-      cells.push_back(Measure(loaded, scale, isReversed));
-      speeds.Add(cells.back().Speed);
+      cells.push_back(Measure(loaded, scale, isReversed, speeds));
     }
   }
   // Fill values would make up all of the flow.
-  vtkIdType fillValues = 0;
-  const double largest = speeds.GetScale(fillValues);
-  if (fillValues > 0)
+  const FillValues fill = speeds.FindFillValues();
+  if (fill.Number > 0)
   {
     cells.erase(std::remove_if(cells.begin(), cells.end(),
-                  [largest](const Cell& cell) { return cell.Speed > largest; }),
+                  [&fill](const Cell& cell) { return cell.Speed > fill.Scale; }),
       cells.end());
   }
   return cells;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Topology/ZeroSearch.h"
 
+#include "Common/ArrayRows.h"
 #include "Common/Batches.h"
 #include "Common/Blanking.h"
 #include "Common/Vectors.h"
@@ -42,15 +43,46 @@ struct Local
   std::vector<CellZeros::Zero> Found;
   MultilinearCell Cell;
 };
+
+// Finds the fill values among the vectors of points that are not hidden.
+FillValues FindFillValues(vtkDataSet* data, vtkDataArray* vectors)
+{
+  Blanking blanking;
+  blanking.SetBlanking(data);
+  ArrayRows rows;
+  rows.Build(vectors);
+  vtkSMPThreadLocal<SpeedScale> scales;
+  vtkSMPTools::For(0, vectors->GetNumberOfTuples(),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      SpeedScale& scale = scales.Local();
+      for (vtkIdType point = first; point < last; ++point)
+      {
+        double v[3];
+        rows.Get<3>(point, v);
+        if (!blanking.IsPointBlanked(point) && Vectors::IsFinite(glm::make_vec3(v)))
+        {
+          scale.Add(v);
+        }
+      }
+    });
+  SpeedScale all;
+  for (const SpeedScale& scale : scales)
+  {
+    all.Add(scale);
+  }
+  return all.FindFillValues();
+}
 }
 
 class ZeroSearch::Worker
 {
 public:
-  Worker(vtkDataSet* data, vtkDataArray* vectors, const Systems& systems)
+  Worker(vtkDataSet* data, vtkDataArray* vectors, const Systems& systems, const FillValues& fill)
     : Data(data)
     , Vectors(vectors)
     , Solved(systems)
+    , Fill(fill)
   {
     this->Blanking.SetBlanking(data);
   }
@@ -74,6 +106,11 @@ public:
       if (!local.Cell.IsFinite())
       {
         ++local.Counts.NonFiniteCells;
+        continue;
+      }
+      if (this->Fill.Number > 0 && local.Cell.GetLargestSpeed() > this->Fill.Scale)
+      {
+        ++local.Counts.FillValueCells;
         continue;
       }
       int begin = 0;
@@ -161,6 +198,7 @@ private:
   vtkDataSet* Data;
   vtkDataArray* Vectors;
   const Systems& Solved;
+  const FillValues& Fill;
   interlume::Blanking Blanking;
 };
 
@@ -198,13 +236,22 @@ void ZeroSearch::Merge(const std::vector<unsigned char>& marks)
   this->Zeros = std::move(merged);
 }
 
+std::string ZeroSearch::DescribeFillValues(const char* array) const
+{
+  return this->Total.FillValueCells == 0
+    ? std::string()
+    : this->Fill.Describe(
+        array, std::to_string(this->Total.FillValueCells) + " cells with such points are skipped.");
+}
+
 bool ZeroSearch::Execute(
   vtkAlgorithm* owner, vtkDataSet* data, vtkDataArray* vectors, const Systems& systems)
 {
   this->Zeros.clear();
   this->Total = Counts();
   const vtkIdType cells = data->GetNumberOfCells();
-  Worker worker(data, vectors, systems);
+  this->Fill = FindFillValues(data, vectors);
+  Worker worker(data, vectors, systems, this->Fill);
   if (!Batches::Run(cells, owner, 0.0, 1.0, worker))
   {
     return false;
@@ -220,6 +267,7 @@ bool ZeroSearch::Execute(
     this->Total.ZeroCells += local.Counts.ZeroCells;
     this->Total.DegenerateCells += local.Counts.DegenerateCells;
     this->Total.NonFiniteCells += local.Counts.NonFiniteCells;
+    this->Total.FillValueCells += local.Counts.FillValueCells;
   }
   // Zeros of one cell and system stay in the order in which its thread found them.
   std::stable_sort(this->Zeros.begin(), this->Zeros.end(),

@@ -3,9 +3,11 @@
 #define interlume_ZeroSearch_h
 
 #include "Cells/MultilinearCell.h"
+#include "Numerics/SpeedScale.h"
 
 #include "vtkType.h"
 
+#include <string>
 #include <vector>
 
 class vtkAlgorithm;
@@ -20,10 +22,10 @@ namespace interlume
  * @brief   zeros of functions of the interpolated vectors of a dataset, each once
  *
  * In each cell one or several systems of three equations, trilinear in the cell's parameters, are
- * solved. Cells that are blanked, hidden or ghosts are left out, those that are not finite, and
- * those in which zeros are not isolated. So are zeros at points that a cell of the latter kind has
- * and in which its system is 0: they are part of a line or a surface. A zero that several cells
- * find at one place is that of the cell with the least id.
+ * solved. Cells that are blanked, hidden or ghosts are left out, those that are not finite, those
+ * with fill values (SpeedScale), and those in which zeros are not isolated. So are zeros at points
+ * that a cell of the latter kind has and in which its system is 0: they are part of a line or a
+ * surface. A zero that several cells find at one place is that of the cell with the least id.
  */
 class ZeroSearch
 {
@@ -68,6 +70,7 @@ public:
     vtkIdType ZeroCells = 0;
     vtkIdType DegenerateCells = 0;
     vtkIdType NonFiniteCells = 0;
+    vtkIdType FillValueCells = 0;
   };
 
   /**
@@ -79,6 +82,9 @@ public:
 
   const std::vector<Zero>& GetZeros() const { return this->Zeros; }
   const Counts& GetCounts() const { return this->Total; }
+  /// Returns a warning if cells with fill values were skipped, otherwise an empty string. \a array
+  /// is the name of the vectors.
+  std::string DescribeFillValues(const char* array) const;
 
 private:
   class Worker;
@@ -87,6 +93,7 @@ private:
 
   std::vector<Zero> Zeros;
   Counts Total;
+  FillValues Fill;
 };
 
 }

@@ -1,24 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Speeds out of all proportion: automatic error and least speed leave fill values aside, and
-// nothing else; the speeds themselves, and a field that holds some.
+// Speeds out of all proportion: automatic error and minimum speed ignore fill values at up to half
+// of the points, and nothing else; streamlines, line integral convolution, critical points, vortex
+// axes and inflow surfaces are those of the other points, with a warning that names the value.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Checks/ReferenceMessages.h"
 #include "Reference/Flow/ReferenceFlowGrid.h"
 
+#include "vtkFlowCriticalPoints.h"
+#include "vtkFlowLIC.h"
 #include "vtkFlowStatus.h"
 #include "vtkImplicitFlowField.h"
-#include "Fields/SpeedScale.h"
+#include "Numerics/SpeedScale.h"
 #include "vtkTerminationInflow.h"
 #include "vtkTerminationPlane.h"
+#include "vtkVortexAxis.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <sstream>
 #include <string>
 
 namespace
@@ -26,20 +35,94 @@ namespace
 
 using namespace reference;
 
-/// \a number speeds, by their index.
-void CheckScale(const std::string& name, int number, const std::function<double(int)>& speed,
-  double scale, int fillValues, Check& check)
+/// Checks the scale of \a number vectors, given by their index.
+interlume::FillValues CheckVectors(const std::string& name, int number,
+  const std::function<Vector(int)>& vector, double scale, int fillValues, Check& check)
 {
   interlume::SpeedScale first;
   interlume::SpeedScale second;
   for (int i = 0; i < number; ++i)
   {
-    (i % 3 == 0 ? first : second).Add(speed(i));
+    (i % 3 == 0 ? first : second).Add(vector(i).data());
   }
   first.Add(second);
-  vtkIdType beyond = -1;
-  check.That(first.GetScale(beyond) == scale, name + ": the scale");
-  check.Equal(beyond, fillValues, name + ": fill values");
+  const interlume::FillValues fill = first.FindFillValues();
+  check.That(fill.Scale == scale, name + ": the scale");
+  check.Equal(fill.Number, fillValues, name + ": fill values");
+  return fill;
+}
+
+/// Checks the same with vectors along x.
+void CheckScale(const std::string& name, int number, const std::function<double(int)>& speed,
+  double scale, int fillValues, Check& check)
+{
+  CheckVectors(
+    name, number,
+    [&speed](int i) {
+      return Vector{ { speed(i), 0.0, 0.0 } };
+    },
+    scale, fillValues, check);
+}
+
+/// Fill values of several kinds at a share of 5000 points, among speeds of 1 to 2.
+void TestRepeated(Check& check)
+{
+  const auto land = [](int number, const Vector& value)
+  {
+    return [number, value](int i) {
+      return i < number ? value : Vector{ { 1.0 + i / 5000.0, 0.0, 0.0 } };
+    };
+  };
+  constexpr double fast = 1.0 + 4999 / 5000.0;
+  const struct
+  {
+    const char* Name;
+    Vector Value;
+    int Number;
+    int Found;
+  } cases[] = {
+    { "1e20 at half", { { 1e20, 1e20, 1e20 } }, 2500, 2500 },
+    { "1e20 in two components", { { 1e20, 1e20, 0.0 } }, 1500, 1500 },
+    { "1e20 in one component", { { 0.1, 1e20, -0.3 } }, 1500, 1500 },
+    { "1e20 at nearly all", { { 1e20, 1e20, 1e20 } }, 4900, 4900 },
+    { "NetCDF", { { 9.96921e36, 9.96921e36, 9.96921e36 } }, 1500, 1500 },
+    { "-9999", { { -9999, -9999, -9999 } }, 1500, 1500 },
+    { "-30000 in packed thousandths", { { -30, -30, 0.0 } }, 1500, 1500 },
+    { "-9999 at more than half", { { -9999, -9999, -9999 } }, 2600, 0 },
+    { "a uniform jet along x", { { 500, 0.0, 0.0 } }, 1500, 0 },
+    { "a uniform jet at an angle", { { 5, 5, 0.0 } }, 1500, 0 },
+  };
+  for (const auto& one : cases)
+  {
+    const double speed = std::sqrt(
+      one.Value[0] * one.Value[0] + one.Value[1] * one.Value[1] + one.Value[2] * one.Value[2]);
+    const interlume::FillValues fill = CheckVectors(
+      one.Name, 5000, land(one.Number, one.Value), one.Found > 0 ? fast : speed, one.Found, check);
+    const double value = one.Value[1] == 1e20 ? 1e20 : one.Value[0];
+    check.That(one.Found == 0 || fill.Value == value, std::string(one.Name) + ": the value");
+  }
+  CheckVectors(
+    "a real jet", 5000,
+    [](int i) {
+      return i < 1500 ? Vector{ { 3e4 + i, 3e4 + i, 0.0 } } : Vector{ { 1.0, 0.0, 0.0 } };
+    },
+    std::sqrt(2.0) * 31499, 0, check);
+  CheckVectors(
+    "uniform flow with rounding errors at its walls", 5000,
+    [](int i) {
+      return i < 4000 ? Vector{ { 1.0, 1.0, 0.0 } } : Vector{ { 1e-17 * i, 0.0, 0.0 } };
+    },
+    std::sqrt(2.0), 0, check);
+  const interlume::FillValues two = CheckVectors(
+    "two kinds at many points", 5000,
+    [](int i)
+    {
+      return i < 800 ? Vector{ { 1e20, 1e20, 1e20 } }
+        : i < 2000   ? Vector{ { -9999, -9999, 0.1 } }
+                     : Vector{ { 2.0, 0.0, 0.0 } };
+    },
+    2.0, 2000, check);
+  check.That(two.Value == -9999, "the more frequent value");
 }
 
 void TestScale(Check& check)
@@ -55,7 +138,8 @@ void TestScale(Check& check)
   CheckScale("plain", 5000, filled(0, 0.0), 1.0 + 4999 / 5000.0, 0, check);
   CheckScale("one fill value", 5000, filled(1, 1e30), 1.0 + 4999 / 5000.0, 1, check);
   CheckScale("fifty", 5000, filled(50, 1e30), 1.0 + 4999 / 5000.0, 50, check);
-  CheckScale("too many to be left aside", 5000, filled(51, 1e30), 1e30, 0, check);
+  CheckScale("too many to be left aside", 5000, filled(51, 1e4), 1e4, 0, check);
+  CheckScale("huge ones", 5000, filled(51, 1e30), 1.0 + 4999 / 5000.0, 51, check);
   CheckScale("a jet", 5000, filled(20, 500.0), 500.0, 0, check);
   CheckScale("one of eight", 8, filled(1, 17321.0), 1.0 + 7 / 5000.0, 1, check);
   CheckScale("one of seven", 7, filled(1, 17321.0), 17321.0, 0, check);
@@ -70,6 +154,137 @@ void TestScale(Check& check)
   // Two kinds at once.
   CheckScale(
     "two kinds", 5000, [](int i) { return i == 0 ? 1e36 : (i == 1 ? 1e20 : 2.0); }, 2.0, 2, check);
+}
+
+/// Sets a value in all components where y is above 3, at 4 of 17 layers of points.
+vtkIdType AddLand(vtkImageData* image, double value)
+{
+  vtkDataArray* vectors = image->GetPointData()->GetVectors();
+  vtkIdType number = 0;
+  for (vtkIdType id = 0; id < image->GetNumberOfPoints(); ++id)
+  {
+    if (image->GetPoint(id)[1] > 3.0)
+    {
+      vectors->SetTuple3(id, value, value, value);
+      ++number;
+    }
+  }
+  vectors->Modified();
+  return number;
+}
+
+/// Land with a fill value leaves the answers of all samples away from it as they are.
+void TestLand(Check& check)
+{
+  auto image = MakeFlowImage(17,
+    [](const Vector& x) {
+      return Vector{ { 1.0, 0.1 * std::sin(x[2]), 0.0 } };
+    });
+  vtkNew<vtkImplicitFlowField> filter;
+  filter->SetInputDataObject(image);
+  filter->AddTerminationSurface(MakeFlowPlane(0.0));
+  filter->Update();
+  vtkNew<vtkImageData> expected;
+  expected->DeepCopy(filter->GetOutputDataObject(0));
+  const double error = filter->GetReport().MaximumError;
+  for (const double value : { 1e20, -9999.0, -30000.0, 9.96920996838687e36 })
+  {
+    check.SetContext("land of " + std::to_string(value));
+    const vtkIdType number = AddLand(image, value);
+    const std::string warning = WarningsOf(filter);
+    std::ostringstream text;
+    text << "at " << number << " points look like fill values: their component is " << value;
+    check.That(warning.find(text.str()) != std::string::npos, "a warning: " + warning);
+    check.That(warning.find("HIDDENPOINT") != std::string::npos, "with the remedy");
+    check.Equal(filter->GetReport().FillValues, number, "fill values");
+    check.That(filter->GetReport().FillValue == value, "the value");
+    check.Near(filter->GetReport().MaximumError, error, 1e-9, "the error");
+    auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    vtkIdType reached = 0;
+    for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
+    {
+      if (output->GetPoint(id)[1] <= 2.0)
+      {
+        const auto get = [id](vtkDataSet* data, const char* name)
+        { return data->GetPointData()->GetArray(name)->GetComponent(id, 0); };
+        check.That(get(output, "FlowStatus") == get(expected, "FlowStatus"), "status");
+        check.That(get(output, "AdvectionTime") == get(expected, "AdvectionTime"), "time");
+        reached += get(output, "FlowStatus") == vtkFlowStatus::REACHED_SURFACE ? 1 : 0;
+      }
+    }
+    check.That(reached > 2000, "samples that reach the plane");
+  }
+  // Hidden points are none of the field's, and nothing is left to warn of.
+  check.SetContext("land that is hidden");
+  vtkUnsignedCharArray* ghosts = image->AllocatePointGhostArray();
+  for (vtkIdType id = 0; id < image->GetNumberOfPoints(); ++id)
+  {
+    if (image->GetPoint(id)[1] > 3.0)
+    {
+      ghosts->SetValue(id, vtkDataSetAttributes::HIDDENPOINT);
+    }
+  }
+  check.That(WarningsOf(filter).empty(), "no warning");
+}
+
+/// Land does not take convolution, zeros and vortices out of place.
+void TestOtherFilters(Check& check)
+{
+  // A vortex about the line (1.3, 1.3) along z.
+  const auto swirl = [](const Vector& x)
+  {
+    return Vector{ { 1.3 - x[1] - 0.1 * (x[0] - 1.3), x[0] - 1.3 - 0.1 * (x[1] - 1.3),
+      0.3 * (x[2] - 1.9) } };
+  };
+  const auto run = [&](vtkAlgorithm* filter, const char* name, vtkDataArray* (*get)(vtkAlgorithm*))
+  {
+    check.SetContext(name);
+    auto image = MakeFlowImage(17, swirl);
+    filter->SetInputDataObject(image);
+    check.That(WarningsOf(filter).empty(), "no warning without land");
+    vtkSmartPointer<vtkDataArray> expected = vtk::TakeSmartPointer(get(filter)->NewInstance());
+    expected->DeepCopy(get(filter));
+    for (const double value : { 1e20, -9999.0 })
+    {
+      AddLand(image, value);
+      const std::string warning = WarningsOf(filter);
+      check.That(warning.find("fill values: their component is") != std::string::npos,
+        "a warning: " + warning);
+      vtkDataArray* found = get(filter);
+      check.Equal(found->GetNumberOfTuples(), expected->GetNumberOfTuples(), "results");
+      double largest = 0.0;
+      for (vtkIdType i = 0; i < std::min(found->GetNumberOfTuples(), expected->GetNumberOfTuples());
+           ++i)
+      {
+        const bool isFar = found->GetNumberOfComponents() == 3 || i / 17 % 17 < 4;
+        for (int c = 0; isFar && c < found->GetNumberOfComponents(); ++c)
+        {
+          largest =
+            std::max(largest, std::abs(found->GetComponent(i, c) - expected->GetComponent(i, c)));
+        }
+      }
+      check.Near(largest, 0.0, 1e-6, "a difference", 1.0);
+    }
+  };
+  const auto getPoints = [](vtkAlgorithm* filter)
+  { return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0))->GetPoints()->GetData(); };
+  vtkNew<vtkFlowCriticalPoints> zeros;
+  run(zeros, "critical points", getPoints);
+  check.That(zeros->GetReport().FillValueCells > 0, "cells that are skipped");
+  vtkNew<vtkVortexAxis> axis;
+  axis->SetNumberOfPlanes(9);
+  run(axis, "vortex axis", getPoints);
+  check.That(axis->GetReport().FillValueCells > 0, "cells that are skipped");
+  vtkNew<vtkFlowLIC> convolution;
+  convolution->SetLength(0.3);
+  run(convolution, "convolution",
+    [](vtkAlgorithm* filter)
+    {
+      return vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))
+        ->GetPointData()
+        ->GetArray("LIC");
+    });
+  check.That(convolution->GetReport().PointsAtRest < 20, "points at rest");
 }
 
 /// A fill value in a corner changes no answer far from it, and is said.
@@ -131,6 +346,17 @@ void TestInflow(Check& check)
     inflow->GetBounds(places[i]);
     vectors->SetTuple3(image->GetNumberOfPoints() / 2, 0.0, 1e30, 0.0);
   }
+  for (const double value : { 1e20, -9999.0 })
+  {
+    AddLand(image, value);
+    vtkNew<vtkTerminationInflow> inflow;
+    check.That(
+      inflow->PlaceIn(image, vectors, true).empty() && inflow->Update().empty(), "beside land");
+    double place[6];
+    inflow->GetBounds(place);
+    check.That(place[0] == places[0][0] && place[1] == places[0][1], "across the flow beside land");
+    check.That(place[3] <= 3.0, "without the land");
+  }
   check.That(places[0][0] == places[1][0] && places[0][1] == places[1][1], "across the flow");
   check.That(places[1][1] < 1.0, "where it enters");
 }
@@ -141,7 +367,11 @@ int TestFlowFillValues(int, char*[])
 {
   Check check;
   TestScale(check);
+  TestRepeated(check);
   TestField(check);
+  TestLand(check);
+  TestOtherFilters(check);
+  check.SetContext("inflow");
   TestInflow(check);
   return check.Result();
 }

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Numerics/SpeedScale.h"
+
+#include "Common/Vectors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace interlume
+{
+
+namespace
+{
+// The offset of the powers of 2, with those of numbers that are not normal among them.
+constexpr int Offset = 1080;
+// The least number of vectors; among fewer, none is a fill value.
+constexpr vtkIdType LeastNumber = 8;
+// The numbers of powers of 2 between fill values and the next speed, by what is known of them.
+constexpr std::size_t GapOfFew = 10;
+constexpr std::size_t GapOfRepeated = 3;
+constexpr std::size_t GapOfHuge = 30;
+// The least component that is a fill value by its size alone.
+constexpr double Huge = 1e10;
+
+// Returns the largest component of a vector. \a isRepeated becomes true if it is there twice and
+// the third one is the same or small.
+double FindLargest(const double vector[3], bool& isRepeated)
+{
+  double v[3] = { vector[0], vector[1], vector[2] };
+  std::sort(v, v + 3, [](double a, double b) { return std::abs(a) > std::abs(b); });
+  isRepeated = v[0] == v[1] && (v[2] == v[0] || std::abs(v[2]) < std::abs(v[0]) / 32.0);
+  return v[0];
+}
+}
+
+std::string FillValues::Describe(const char* array, const std::string& effect) const
+{
+  std::ostringstream text;
+  text << "The vectors" << (array ? std::string(" \"") + array + "\"" : "") << " at "
+       << this->Number << " points look like fill values: ";
+  if (this->Value != 0.0)
+  {
+    text << "their component is " << this->Value << ", and ";
+  }
+  text << "their speeds, up to " << this->LargestSpeed << ", are far above all others, up to "
+       << this->Scale << ". " << effect
+       << " Hide these points: set HIDDENPOINT for them in the point array vtkGhostType";
+  if (this->Value != 0.0)
+  {
+    text << ", wherever a component is " << this->Value;
+  }
+  text << "; or remove their cells, by vtkThreshold for example.";
+  return text.str();
+}
+
+void SpeedScale::Bin::Add(const Bin& other)
+{
+  this->Number += other.Number;
+  this->Repeated += other.Repeated;
+  this->Largest = std::max(this->Largest, other.Largest);
+  this->Lower = std::min(this->Lower, other.Lower);
+  this->Upper = std::max(this->Upper, other.Upper);
+}
+
+void SpeedScale::Add(const double vector[3])
+{
+  const double speed = Vectors::SafeLength({ vector[0], vector[1], vector[2] });
+  if (speed > 0.0)
+  {
+    bool isRepeated = false;
+    const double largest = FindLargest(vector, isRepeated);
+    this->Bins[static_cast<std::size_t>(std::ilogb(speed) + Offset)].Add(
+      { 1, isRepeated ? 1 : 0, speed, largest, largest });
+  }
+}
+
+void SpeedScale::Add(const SpeedScale& other)
+{
+  for (std::size_t power = 0; power < Powers; ++power)
+  {
+    this->Bins[power].Add(other.Bins[power]);
+  }
+}
+
+double SpeedScale::GetLargest() const
+{
+  double largest = 0.0;
+  for (const Bin& bin : this->Bins)
+  {
+    largest = std::max(largest, bin.Largest);
+  }
+  return largest;
+}
+
+bool SpeedScale::AreFillValues(const Bin& top, vtkIdType above, vtkIdType number, std::size_t gap)
+{
+  if (gap > GapOfFew && above <= std::max<vtkIdType>(number / 100, 1))
+  {
+    return true;
+  }
+  const bool isRepeated =
+    gap > GapOfRepeated && 2 * top.Repeated >= top.Number && 2 * above <= number;
+  const bool isHuge = gap > GapOfHuge && std::abs(top.Lower) >= Huge &&
+    number - above >= std::max(number / 100, LeastNumber);
+  return top.HasOneValue() && (isRepeated || isHuge);
+}
+
+FillValues SpeedScale::FindFillValues() const
+{
+  FillValues fill;
+  fill.LargestSpeed = this->GetLargest();
+  fill.Scale = fill.LargestSpeed;
+  vtkIdType number = 0;
+  for (const Bin& bin : this->Bins)
+  {
+    number += bin.Number;
+  }
+  if (number < LeastNumber)
+  {
+    return fill;
+  }
+  // The vectors since the last gap below fill values.
+  Bin top;
+  vtkIdType mostOfValue = 0;
+  vtkIdType above = 0;
+  std::size_t last = Powers;
+  for (std::size_t power = Powers; power-- > 0;)
+  {
+    const Bin& bin = this->Bins[power];
+    if (bin.Number == 0)
+    {
+      continue;
+    }
+    if (above > 0 && AreFillValues(top, above, number, last - power))
+    {
+      fill.Number = above;
+      fill.Scale = bin.Largest;
+      if (top.Number > mostOfValue)
+      {
+        mostOfValue = top.Number;
+        fill.Value = top.HasOneValue() ? top.Lower : 0.0;
+      }
+      top = Bin();
+    }
+    top.Add(bin);
+    above += bin.Number;
+    last = power;
+  }
+  return fill;
+}
+
+}
