@@ -121,6 +121,54 @@ LIGHT interpolate_INDEX(LIGHT texels[4], vec2 part)
 }
 
 #endif
+#ifdef WIDE_INDEX
+// Returns the direction of the ray that a texel of the buffer holds: see SliceLightFS.
+vec3 getTexelRay_INDEX(ivec2 texel)
+{
+  ivec2 size = textureSize(buffer_INDEX, 0);
+  vec2 corner = (vec2(clamp(texel, ivec2(0), size - 1)) + 0.5) / vec2(size) * 2.0 - 1.0;
+  vec2 across = vec2(corner.x + corner.y, corner.x - corner.y) * 0.5;
+  return normalize(frame_INDEX * vec3(across, max(1.0 - abs(across.x) - abs(across.y), 1e-6)));
+}
+
+// Returns the length of a light ray in the box of the matter before the slab.
+float getWay_INDEX(vec3 ray)
+{
+  float lower = 0.0;
+  float upper = (sliceEntrance - dot(position_INDEX, sliceNormal)) / max(dot(ray, sliceNormal), 1e-6);
+  cutToMatter(position_INDEX, ray, placeInTexture(position_INDEX),
+    inverseOf(mat3(textureFromUnit) * ray), lower, upper);
+  return max(upper - lower, 0.0);
+}
+
+// Returns the transmittance up to the slab of the light ray along l.
+LIGHT getOutside_INDEX(vec3 l)
+{
+  vec3 p = l * frame_INDEX;
+  p.xy /= abs(p.x) + abs(p.y) + max(p.z, 0.0);
+  vec2 uv = vec2(p.x + p.y, p.x - p.y) * 0.5 + 0.5;
+  // Beside the edge of a shadow the mean of depths would be as dark as the shadow.
+  LIGHT texels[4];
+  vec2 part;
+  getTexels_INDEX(buffer_INDEX, uv, texels, part);
+  ivec2 corner = ivec2(floor(uv * vec2(textureSize(buffer_INDEX, 0)) - 0.5));
+  // Rays of texels that leave the matter before they reach the slab keep their depth, others have it in
+  // proportion to their length, the more, the more they go along the slices.
+  float way = getWay_INDEX(l);
+  float slope = max(dot(l, sliceNormal), 1e-6);
+  for (int i = 0; i < 4; ++i)
+  {
+    vec3 ray = getTexelRay_INDEX(corner + ivec2(i & 1, i >> 1));
+    float texelSlope = max(dot(ray, sliceNormal), 1e-6);
+    float longer = texelSlope / slope;
+    float ratio =
+      clamp(way / max(getWay_INDEX(ray), 1e-6), min(longer, 1.0), max(longer, 1.0));
+    texels[i] = exp(-texels[i] / texelSlope * ratio);
+  }
+  return interpolate_INDEX(texels, part);
+}
+
+#endif
 #if defined(THICK) && !defined(WIDE_INDEX)
 // The optical depth that light along l meets from the layer on to x, in steps that grow away from x,
 // and whether extinctions jump on the way.
@@ -240,9 +288,6 @@ LIGHT getTransmittance_INDEX(vec3 l)
   {
     return LIGHT(0.0);
   }
-  vec3 p = l * frame_INDEX;
-  p.xy /= abs(p.x) + abs(p.y) + max(p.z, 0.0);
-  vec2 uv = vec2(p.x + p.y, p.x - p.y) * 0.5 + 0.5;
 #else
 #ifdef THICK
   LIGHT found;
@@ -258,15 +303,7 @@ LIGHT getTransmittance_INDEX(vec3 l)
 #endif
   vec3 inverse = inverseOf(mat3(textureFromUnit) * l);
 #ifdef WIDE_INDEX
-  // Beside the edge of a shadow the mean of depths would be as dark as the shadow.
-  LIGHT texels[4];
-  vec2 part;
-  getTexels_INDEX(buffer_INDEX, uv, texels, part);
-  for (int i = 0; i < 4; ++i)
-  {
-    texels[i] = exp(-texels[i] / max(dot(l, sliceNormal), 1e-6));
-  }
-  LIGHT outside = interpolate_INDEX(texels, part);
+  LIGHT outside = getOutside_INDEX(l);
   float path = getWay_INDEX(sampleAt, placeInTexture(sampleAt), l, inverse);
   if (path > 1.5 * sliceSpacing)
   {

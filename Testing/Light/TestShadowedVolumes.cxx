@@ -293,6 +293,31 @@ void TestLamps(Check& check)
   }
 }
 
+/// A lamp inside smoke above a floor that the plane through the lamp along the slices intersects.
+/// Rays along the slices leave the smoke before they reach a slab.
+void TestLampAboveFloor(Check& check)
+{
+  const Double3 black{ { 0.0, 0.0, 0.0 } };
+  for (const double height : { 0.1, 0.3 })
+  {
+    for (const bool isFlat : { false, true })
+    {
+      const SceneVolume smoke =
+        isFlat ? MakeMatter({ { -0.6, 0.6, -0.5, 0.5, -0.3, 0.4 } }, 3.0, black) : MakeSmoke(0, 32);
+      MixedScene scene = MakeScene({ smoke }, { { 0.0, 0.0, -1.0 } }, { { 0.0, 0.6, -0.8 } });
+      scene.Size = { { 96, 96 } };
+      scene.Lights[0].Light = MakeLamp({ { 0.1, 0.05, -0.2 + height } }, { { 0.0, 0.0, -1.0 } });
+      scene.Surfaces.push_back(
+        { MakeRectangle({ { -0.5, -0.5, -0.2 } }, { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } }),
+          {} });
+      const std::string name = std::string(isFlat ? "even" : "uneven") + " smoke, lamp " +
+        std::to_string(height) + " above a floor";
+      const PictureBound bound = isFlat ? PictureBound{ 1e-4, 1e-5 } : PictureBound{ 0.025, 3e-4 };
+      ExpectAlike(check, name, Draw(scene), MakeMixedPicture(scene), bound);
+    }
+  }
+}
+
 /// Features of one volume beside another without them.
 void TestFeatures(Check& check)
 {
@@ -541,6 +566,7 @@ int TestShadowedVolumes(int, char*[])
   TestThickHalves(check);
   TestRefinement(check);
   TestLamps(check);
+  TestLampAboveFloor(check);
   TestFeatures(check);
   TestSoftShadows(check);
   TestSoftHalves(check);
