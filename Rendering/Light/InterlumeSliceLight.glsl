@@ -132,7 +132,7 @@ vec3 getTexelRay_INDEX(ivec2 texel)
 }
 
 // Returns the length of a light ray in the box of the matter before the slab.
-float getWay_INDEX(vec3 ray)
+float getWayToSlab_INDEX(vec3 ray)
 {
   float lower = 0.0;
   float upper = (sliceEntrance - dot(position_INDEX, sliceNormal)) / max(dot(ray, sliceNormal), 1e-6);
@@ -154,7 +154,7 @@ LIGHT getOutside_INDEX(vec3 l)
   ivec2 corner = ivec2(floor(uv * vec2(textureSize(buffer_INDEX, 0)) - 0.5));
   // Rays of texels that leave the matter before they reach the slab keep their depth, others have it in
   // proportion to their length, the more, the more they go along the slices.
-  float way = getWay_INDEX(l);
+  float way = getWayToSlab_INDEX(l);
   float slope = max(dot(l, sliceNormal), 1e-6);
   for (int i = 0; i < 4; ++i)
   {
@@ -162,7 +162,7 @@ LIGHT getOutside_INDEX(vec3 l)
     float texelSlope = max(dot(ray, sliceNormal), 1e-6);
     float longer = texelSlope / slope;
     float ratio =
-      clamp(way / max(getWay_INDEX(ray), 1e-6), min(longer, 1.0), max(longer, 1.0));
+      clamp(way / max(getWayToSlab_INDEX(ray), 1e-6), min(longer, 1.0), max(longer, 1.0));
     texels[i] = exp(-texels[i] / texelSlope * ratio);
   }
   return interpolate_INDEX(texels, part);
