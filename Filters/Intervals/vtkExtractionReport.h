@@ -34,7 +34,7 @@ struct INTERLUMEINTERVALS_EXPORT vtkExtractionReport
   vtkIdType CellsWithOutput = 0;
   /// The number of cells left out because they have fewer than three dimensions.
   vtkIdType LowerDimensionalCells = 0;
-  /// The number of cells left out because a value at a corner is NaN or infinite.
+  /// Number of cells skipped because a value or a coordinate of a corner is NaN or infinite.
   vtkIdType NonFiniteCells = 0;
   /// The number of cells left out because they, or one of their points, are blanked, hidden or a
   /// ghost.

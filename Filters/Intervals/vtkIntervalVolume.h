@@ -38,9 +38,10 @@ struct WholePass;
  * quadratic cells the corners are taken, with a warning. A polyhedron that has not the faces of one
  * of the other cells is coned from the mean of its points; where that does not see all of it, since
  * it or a face of it is concave, its parts overlap, with a warning (10.17 instead of 7 for a U of
- * seven cubes). Cells of fewer dimensions, cells with NaN or infinity in the scalar, ghost, hidden
- * and blanked cells are left out and counted in GetReport(). The scalar: SetInputArrayToProcess(0,
- * ...), by default the active point scalars, one component.
+ * seven cubes). Cells of fewer dimensions, cells with NaN or infinity in the scalar or, with a
+ * warning, in a coordinate of a corner, ghost, hidden and blanked cells are left out and counted in
+ * GetReport(). The scalar: SetInputArrayToProcess(0, ...), by default the active point scalars, one
+ * component.
  *
  * Output port 0: VTK_TETRA cells, and others with KeepWholeCells, in a vtkUnstructuredGrid (a
  * composite input gives a composite output of the same structure), with
@@ -103,16 +104,17 @@ struct WholePass;
  *
  * Errors (vtkErrorMacro, empty output): no scalar array of that name, more than one component, a
  * string array, lower > upper, a bound that is not finite or was given as a word, global ids that
- * are not one integer for each point.
+ * are not one integer for each point, a cell with fewer points than its type needs, with points that
+ * do not exist, or without its faces.
  *
  * Warning (vtkWarningMacro, once for a composite input): an empty output and why, see
  * WarnOnEmptyOutput; a criterion that leaves nothing is a reason too. Warnings for each dataset:
- * quadratic cells, concave polyhedra, and images and rectilinear grids so far from the origin that
- * output points in single precision are off by more than a hundredth of a cell; cells that are
- * folded or cross themselves, as hexahedra with the point order of voxels do; coordinates of a
- * rectilinear grid that turn back or repeat. Of AMR datasets, whose levels are extracted one by
- * one: cells below a finer level that are not blanked, and faces between two levels that an
- * isovalue crosses, where surfaces have gaps.
+ * quadratic cells, concave polyhedra, cells with a NaN or infinite coordinate, and images and
+ * rectilinear grids so far from the origin that output points in single precision are off by more
+ * than a hundredth of a cell; cells that are folded or cross themselves, as hexahedra with the point
+ * order of voxels do; coordinates of a rectilinear grid that turn back or repeat. Of AMR datasets,
+ * whose levels are extracted one by one: cells below a finer level that are not blanked, and faces
+ * between two levels that an isovalue crosses, where surfaces have gaps.
  *
  * @sa vtkIsotableContour vtkIsotable
  */

@@ -2,6 +2,7 @@
 #include "vtkSimplexTimeSlice.h"
 
 #include "Arrays/ExtractionArrays.h"
+#include "Pass/NonFinitePoints.h"
 #include "Scalars/ExtractionDispatch.h"
 #include "Scalars/ExtractionScalars.h"
 #include "Static/EmptyResult.h"
@@ -175,6 +176,8 @@ int vtkSimplexTimeSlice::RequestData(
   context.Values = &values;
   context.Input = input;
   context.Scalars = times;
+  const interlume::NonFinitePoints nonFinite(input);
+  context.NonFinitePoints = nonFinite.GetMarks();
   vtkNew<vtkCellData> cellData;
   cellData->ShallowCopy(input->GetCellData());
   // It tells of 4-simplices, not of tetrahedra.
@@ -209,6 +212,12 @@ int vtkSimplexTimeSlice::RequestData(
     static_cast<vtkIdType>(slice.CellIds.GetSize()), output->GetCellData());
   this->Empty->Add(input, nullptr, output->GetNumberOfCells());
   this->Report.Tetrahedra += output->GetNumberOfCells();
+  this->Report.NonFiniteSimplices += slice.NonFiniteCells;
+  const std::string skipped = nonFinite.Describe(input, true);
+  if (!skipped.empty())
+  {
+    vtkWarningMacro(<< skipped);
+  }
   if (this->FollowTime &&
     outputInformation->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
   {

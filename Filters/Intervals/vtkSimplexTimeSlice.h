@@ -44,8 +44,8 @@ class EmptyResult;
  * by tetrahedron, whatever values equal bounds. The same input gives the same bytes whatever the
  * number of threads.
  *
- * 4-simplices with a time that is NaN or infinite, and ghost, hidden and blanked ones, are left
- * out.
+ * 4-simplices with a time or, with a warning, a coordinate that is NaN or infinite are skipped and
+ * counted in GetReport(). Ghost, hidden and blanked 4-simplices are skipped too.
  *
  * In a pipeline with time: where a time is asked for downstream, the slice is at that time, see
  * FollowTime. The output's information then has a range of times (TIME_RANGE): that of the array

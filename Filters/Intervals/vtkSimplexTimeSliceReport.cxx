@@ -6,6 +6,6 @@
 void vtkSimplexTimeSliceReport::Print(std::ostream& os, vtkIndent indent) const
 {
   interlume::NamedValue::Print(os, indent,
-    { { "Time", this->Time }, { "Simplices", this->Simplices },
-      { "Tetrahedra", this->Tetrahedra } });
+    { { "Time", this->Time }, { "Simplices", this->Simplices }, { "Tetrahedra", this->Tetrahedra },
+      { "NonFiniteSimplices", this->NonFiniteSimplices } });
 }

@@ -21,6 +21,8 @@ struct INTERLUMEINTERVALS_EXPORT vtkSimplexTimeSliceReport
   /// Cells of the input, and tetrahedra that came of them.
   vtkIdType Simplices = 0;
   vtkIdType Tetrahedra = 0;
+  /// Number of cells skipped because a time or a coordinate is NaN or infinite.
+  vtkIdType NonFiniteSimplices = 0;
 
   void Print(std::ostream& os, vtkIndent indent) const;
 };

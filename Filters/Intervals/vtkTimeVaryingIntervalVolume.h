@@ -77,9 +77,9 @@ class TimeVaryingRun;
  *
  * Pieces of a distributed grid: as in vtkIntervalVolume, with a layer of ghost cells at each step.
  *
- * Cells with NaN or infinity at one of the two steps, ghost, hidden and blanked cells are left out
- * of that slab and counted in GetReport(). A slab of no duration (two steps of equal time) is left
- * out with a warning.
+ * Cells with NaN or infinity in the scalar or, with a warning, in a coordinate of a corner at one
+ * of the two steps, ghost, hidden and blanked cells are left out of that slab and counted in
+ * GetReport(). A slab of no duration (two steps of equal time) is left out with a warning.
  *
  * A source that writes each step into the memory of the one before is found out by that memory and
  * the time of its change (of the scalars by the memory alone); the execution then begins anew and

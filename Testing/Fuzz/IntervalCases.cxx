@@ -142,6 +142,19 @@ void CheckValues(vtkUnstructuredGrid* grid, const std::vector<Interval>& interva
   check.Near(worst, 0.0, 1e-6, "values outside of their interval", 1.0);
 }
 
+/// Points are finite, whatever those of the input are; single precision may overflow.
+void CheckPoints(vtkUnstructuredGrid* grid, int precision, reference::Check& check)
+{
+  vtkIdType nonFinite = 0;
+  for (vtkIdType p = 0; grid && p < grid->GetNumberOfPoints(); ++p)
+  {
+    const double* x = grid->GetPoint(p);
+    nonFinite += !(std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]));
+  }
+  check.That(nonFinite == 0 || precision == vtkAlgorithm::SINGLE_PRECISION,
+    std::to_string(nonFinite) + " points are not finite");
+}
+
 /// The volumes of two intervals that meet are that of both together, and all values have all.
 void CheckVolumes(vtkDataSet* data, FuzzRandom& random, reference::Check& check)
 {
@@ -199,6 +212,7 @@ void RunIntervals(FuzzRandom& random, std::string& text, reference::Check& check
   if (!isComposite)
   {
     CheckValues(GetGrid(filter), choice.Intervals, LargestValue(values), check);
+    CheckPoints(GetGrid(filter), choice.Precision, check);
   }
   SetIntervals(filter, MakeIntervals(random, values));
   filter->Update();
@@ -240,6 +254,7 @@ void RunContours(FuzzRandom& random, std::string& text, reference::Check& check)
   const auto filter = make();
   filter->Update();
   vtkUnstructuredGrid* grid = GetGrid(filter);
+  CheckPoints(grid, vtkAlgorithm::DOUBLE_PRECISION, check);
   vtkDataArray* found = grid ? grid->GetPointData()->GetScalars() : nullptr;
   const double largest = LargestValue(values);
   double worst = 0.0;

@@ -180,10 +180,20 @@ bool HasBothSigns(const CornerEdges (&corners)[Number], const double (*x)[3])
   return least < -collapsed * greatest && greatest > -collapsed * least;
 }
 
+// Returns whether the last finite coordinate is less than the first one.
 bool Decreases(vtkDataArray* coordinates)
 {
-  const vtkIdType n = coordinates->GetNumberOfTuples();
-  return n > 1 && coordinates->GetComponent(n - 1, 0) < coordinates->GetComponent(0, 0);
+  vtkIdType first = 0;
+  vtkIdType last = coordinates->GetNumberOfTuples() - 1;
+  const auto isFinite = [coordinates](vtkIdType i)
+  { return std::isfinite(coordinates->GetComponent(i, 0)); };
+  for (; first < last && !isFinite(first); ++first)
+  {
+  }
+  for (; first < last && !isFinite(last); --last)
+  {
+  }
+  return first < last && coordinates->GetComponent(last, 0) < coordinates->GetComponent(first, 0);
 }
 }
 

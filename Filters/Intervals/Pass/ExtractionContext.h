@@ -8,6 +8,7 @@
 #include "Output/ExtractionPoint.h"
 #include "Output/SimplexList.h"
 #include "Output/ThreadGrain.h"
+#include "Scalars/ExtractionScalars.h"
 #include "Scalars/ExtractionValues.h"
 
 #include "vtkAlgorithm.h"
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <memory>
 #include <vector>
 
 namespace interlume
@@ -166,6 +168,8 @@ struct ExtractionContext : Blanking
   const ExtractionValues* Values = nullptr;
   vtkDataSet* Input = nullptr;
   vtkDataArray* Scalars = nullptr;
+  /// A mark for each point with a NaN or infinite coordinate; null if there is none.
+  const unsigned char* NonFinitePoints = nullptr;
   ExtractionIndex* Index = nullptr;
   /// Which cells are passed on whole; null where none are.
   const WholeCells* Whole = nullptr;
@@ -188,6 +192,11 @@ struct ExtractionContext : Blanking
   bool IsCellLeftOut(vtkIdType cell) const
   {
     return this->TakeDuplicates ? this->IsCellHidden(cell) : this->IsCellBlanked(cell);
+  }
+
+  std::unique_ptr<ExtractionScalars> MakeScalars() const
+  {
+    return ExtractionScalars::Make(this->Scalars, *this->Values, this->NonFinitePoints);
   }
 
   int GetSimplexSize() const { return this->Values->GetKind() == vtkIsotable::INTERVAL ? 4 : 3; }

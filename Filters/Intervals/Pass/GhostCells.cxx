@@ -69,7 +69,7 @@ bool GhostCells::AreTied(const ExtractionContext& context)
   {
     return false;
   }
-  const auto scalars = ExtractionScalars::Make(context.Scalars, *context.Values);
+  const auto scalars = context.MakeScalars();
   // Few datasets of floating-point numbers have a tie anywhere, and this is quick.
   std::atomic<bool> isAny{ false };
   vtkSMPTools::For(0, context.Input->GetNumberOfPoints(),
@@ -103,7 +103,7 @@ bool GhostCells::AreTied(const ExtractionContext& context)
 bool GhostCells::AreTiedBeyond(
   const ExtractionContext& context, const int dimensions[3], const GridWindow& window)
 {
-  const auto scalars = ExtractionScalars::Make(context.Scalars, *context.Values);
+  const auto scalars = context.MakeScalars();
   return window.AnyBeyond(dimensions,
     [&scalars](vtkIdType first, vtkIdType last) { return HasTies(*scalars, first, last); });
 }

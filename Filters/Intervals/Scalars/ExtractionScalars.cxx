@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <limits>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace interlume
@@ -188,6 +189,60 @@ private:
   std::vector<Real> Isovalues;
 };
 
+// Treats the values at marked points as NaN.
+class Masked : public ExtractionScalars
+{
+public:
+  Masked(std::unique_ptr<ExtractionScalars> scalars, Code nonFiniteCode, const unsigned char* marks)
+    : Scalars(std::move(scalars))
+    , NonFiniteCode(nonFiniteCode)
+    , Marks(marks)
+  {
+  }
+
+  bool Classify(vtkIdType first, vtkIdType number, Code* codes) const override
+  {
+    bool areFinite = this->Scalars->Classify(first, number, codes);
+    for (vtkIdType i = 0; i < number; ++i)
+    {
+      if (this->Marks[first + i] != 0)
+      {
+        codes[i] = this->NonFiniteCode;
+        areFinite = false;
+      }
+    }
+    return areFinite;
+  }
+
+  BitRows::Kinds Compare(vtkIdType first, vtkIdType number, const BitRows::Row& row) const override
+  {
+    BitRows::Kinds kinds = this->Scalars->Compare(first, number, row);
+    for (vtkIdType i = 0; i < number; ++i)
+    {
+      if (this->Marks[first + i] != 0)
+      {
+        const vtkIdType word = i / BitRows::BitsOfWord;
+        const BitRows::Word bit = BitRows::Word(1) << (i % BitRows::BitsOfWord);
+        row.NonFinite[word] |= bit;
+        row.Above[word] |= bit;
+        row.Ties[word] &= ~bit;
+        kinds.NonFinite = true;
+      }
+    }
+    return kinds;
+  }
+
+  void Place(ExtractionPoint* points, vtkIdType number) const override
+  {
+    this->Scalars->Place(points, number);
+  }
+
+private:
+  std::unique_ptr<ExtractionScalars> Scalars;
+  Code NonFiniteCode;
+  const unsigned char* Marks;
+};
+
 // Reads two arrays of different types, as double.
 class Converted : public Typed<double>
 {
@@ -206,7 +261,7 @@ private:
 }
 
 std::unique_ptr<ExtractionScalars> ExtractionScalars::Make(
-  vtkDataArray* scalars, const ExtractionValues& values)
+  vtkDataArray* scalars, const ExtractionValues& values, const unsigned char* nonFinite)
 {
   std::unique_ptr<ExtractionScalars> made;
   ExtractionDispatch::Execute(scalars,
@@ -216,6 +271,10 @@ std::unique_ptr<ExtractionScalars> ExtractionScalars::Make(
       made = std::make_unique<Typed<T>>(data, values);
       return true;
     });
+  if (nonFinite)
+  {
+    made = std::make_unique<Masked>(std::move(made), values.GetNonFiniteCode(), nonFinite);
+  }
   return made;
 }
 

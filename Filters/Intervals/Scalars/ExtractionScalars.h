@@ -26,9 +26,10 @@ public:
   using Code = ExtractionValues::Code;
 
   /// Makes the object for one grid. \a scalars are as ExtractionDispatch::MakeContiguous gives
-  /// them; they and \a values must outlive the result.
-  static std::unique_ptr<ExtractionScalars> Make(
-    vtkDataArray* scalars, const ExtractionValues& values);
+  /// them. \a nonFinite has a mark for each point whose value counts as NaN, or is null if no
+  /// point has one. All arguments must outlive the result.
+  static std::unique_ptr<ExtractionScalars> Make(vtkDataArray* scalars,
+    const ExtractionValues& values, const unsigned char* nonFinite = nullptr);
 
   /**
    * Makes the object for two grids of \a split points each: ids from \a split on are points of the

@@ -218,8 +218,8 @@ std::string EmptyResult::ExplainByData(const std::string& sought)
   {
     why << "no cell that counts meets " << sought << "; " << this->ScalarsName << " goes from "
         << this->Values.Least << " to " << this->Values.Largest
-        << ". (Blanked, hidden and ghost cells, and those with values that are not finite, do not "
-           "count.)";
+        << ". (Blanked, hidden and ghost cells, and those with values or coordinates that are not "
+           "finite, do not count.)";
   }
   return why.str();
 }

@@ -9,6 +9,7 @@
 #include "Pass/ExtractionCleanup.h"
 #include "Pass/ExtractionIndex.h"
 #include "Pass/GhostCells.h"
+#include "Pass/NonFinitePoints.h"
 #include "Pass/WholeFaces.h"
 #include "Scalars/ExtractionDispatch.h"
 #include "Soup/SoupArrays.h"
@@ -155,6 +156,10 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   }
   const vtkSmartPointer<vtkDataArray> contiguous = ExtractionDispatch::MakeContiguous(scalars);
   context.Scalars = contiguous;
+  // The points of a further pass come from the pass before.
+  const NonFinitePoints nonFinite =
+    this->KeepOrientation ? NonFinitePoints() : NonFinitePoints(context.Input);
+  context.NonFinitePoints = nonFinite.GetMarks();
 
   std::optional<WholeCells> whole;
   if (this->Whole)

@@ -7,6 +7,7 @@
 #include "Common/GlobalIds.h"
 #include "Common/GridCheck.h"
 #include "Common/IntervalCheck.h"
+#include "Pass/NonFinitePoints.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
@@ -136,7 +137,7 @@ std::string ExtractionInput::CheckPrecision(vtkDataSet* input, int precision)
   }
   constexpr double share = 0.01;
   const double rounding = 0.5 * farthest * std::numeric_limits<float>::epsilon();
-  if (rounding <= share * size)
+  if (rounding <= share * size || !std::isfinite(farthest))
   {
     return std::string();
   }
@@ -215,8 +216,10 @@ std::vector<std::string> ExtractionInput::GetWarnings(
     warnings.push_back(std::to_string(report.UnsupportedCells) +
       " cells have no linear counterpart and are left out.");
   }
-  for (const std::string& warning : { CheckPolyhedra(report.ConcavePolyhedra),
-         CheckFolding(input, report.FoldedCells), CheckPrecision(input, precision) })
+  for (const std::string& warning :
+    { CheckPolyhedra(report.ConcavePolyhedra), CheckFolding(input, report.FoldedCells),
+      CheckPrecision(input, precision),
+      report.NonFiniteCells > 0 ? NonFinitePoints(input).Describe(input) : std::string() })
   {
     if (!warning.empty())
     {

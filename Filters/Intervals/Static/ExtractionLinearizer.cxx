@@ -289,6 +289,11 @@ private:
   bool IsSeenWhole(std::vector<Face> faces, const Face& vertices) const
   {
     const glm::dvec3 center = this->GetMeanPoint(vertices);
+    if (!Vectors::IsFinite(center))
+    {
+      // It is skipped.
+      return true;
+    }
     Orient(faces);
     double inside = 0.0;
     double outside = 0.0;

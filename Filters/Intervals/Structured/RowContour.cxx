@@ -40,7 +40,7 @@ public:
     ExtractionMesh& mesh)
     : Context(context)
     , Item(context.Values->GetItems()[0])
-    , Scalars(ExtractionScalars::Make(context.Scalars, *context.Values))
+    , Scalars(context.MakeScalars())
     , Mesh(mesh)
     , Table(vtkIsotable::Get(vtkIsotable::CONTOUR, vtkIsotable::HEXAHEDRON))
     , Slots(SlotPlace::FindAll(Table, *context.Values))

@@ -45,7 +45,7 @@ void WriteCrossings(
 RowPoints::RowPoints(ExtractionContext& context, const RowIndex& rows, const GridWindow& window)
   : Context(context)
   , Values(*context.Values)
-  , Scalars(ExtractionScalars::Make(context.Scalars, *context.Values))
+  , Scalars(context.MakeScalars())
   , Rows(rows)
   , Nx(window.Last[0] - window.First[0] + 1)
   , Ny(window.Last[1] - window.First[1] + 1)

@@ -39,6 +39,7 @@ using Parts = vtkTimeVaryingSettings::PartsAtStep;
 constexpr int SimplexSize = SlicedSimplex::Size;
 constexpr Code AtValue = SlicedSimplex::AtValue;
 constexpr Code AboveValue = SlicedSimplex::AboveValue;
+constexpr Code NonFinite = AboveValue + 1;
 
 // The result of the counting pass for a chunk of cells, which the writing pass uses.
 struct Chunk : SliceFaces::Chunk
@@ -46,6 +47,7 @@ struct Chunk : SliceFaces::Chunk
   // The place of the first tetrahedron in the slice.
   vtkIdType First = 0;
   vtkIdType WrongCell = -1;
+  vtkIdType NonFiniteCells = 0;
 };
 
 bool IsCollapsed(const vtkIsotable::Simplex& tetrahedron, const SlicePoint* points)
@@ -82,7 +84,7 @@ public:
   Slicer(const ExtractionContext& context, vtkUnstructuredGrid* grid, SimplexSlicer::Slice& slice)
     : Context(context)
     , Grid(grid)
-    , Scalars(ExtractionScalars::Make(context.Scalars, *context.Values))
+    , Scalars(context.MakeScalars())
     , Order(grid->GetPointData())
     , Intervals(grid->GetCellData()->GetArray("IntervalId"))
     , AtStep(grid->GetCellData()->GetArray("AtStep"))
@@ -129,6 +131,7 @@ public:
     SliceFaces faces;
     for (const Chunk& chunk : this->Chunks)
     {
+      this->Slice.NonFiniteCells += chunk.NonFiniteCells;
       faces.Add(chunk);
     }
     faces.Sort();
@@ -206,6 +209,11 @@ private:
       {
         continue;
       }
+      if ((met >> (4 * NonFinite)) != 0)
+      {
+        ++work.Made.NonFiniteCells;
+        continue;
+      }
       if (!isPlain || !isById)
       {
         this->CountPlain(work, cells);
@@ -241,7 +249,7 @@ private:
       greatest = std::max(greatest, codes[v]);
       numberAt += codes[v] == AtValue;
     }
-    if (greatest < AtValue || greatest == this->Context.Values->GetNonFiniteCode())
+    if (greatest < AtValue)
     {
       return Meeting::None;
     }

@@ -34,6 +34,8 @@ public:
     /// The first cell that is no VTK_POLY_VERTEX of five points, because of which there is no
     /// slice; -1 for none.
     vtkIdType WrongCell = -1;
+    /// The number of cells skipped because a time or a coordinate is NaN or infinite.
+    vtkIdType NonFiniteCells = 0;
   };
 
   /// Makes the slice. Returns false when the user aborted. The contour of \a context has one value,

@@ -140,6 +140,7 @@ TimeStep::TimeStep(vtkDataSet* input, vtkDataArray* scalars, double time, bool i
   }
   this->Scalars = ExtractionDispatch::MakeContiguous(scalars);
   GhostCells::SetBlanking(this->Grid, *this);
+  this->NonFinite = NonFinitePoints(this->Grid);
 }
 
 vtkUnstructuredGrid* TimeStep::GetUnstructuredGrid() const
@@ -154,7 +155,8 @@ bool TimeStep::MakeCodes(const ExtractionContext& context, double from, double t
     return true;
   }
   this->Codes.Allocate(this->GetNumberOfPoints());
-  const auto scalars = ExtractionScalars::Make(this->Scalars, *context.Values);
+  const auto scalars =
+    ExtractionScalars::Make(this->Scalars, *context.Values, this->NonFinite.GetMarks());
   return context.Run(this->GetNumberOfPoints(), from, to,
     [&](vtkIdType first, vtkIdType last)
     {

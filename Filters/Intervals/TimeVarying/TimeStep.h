@@ -5,6 +5,7 @@
 #include "Common/Blanking.h"
 #include "Output/ExtractionBuffer.h"
 #include "Pass/ExtractionContext.h"
+#include "Pass/NonFinitePoints.h"
 
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
@@ -43,6 +44,10 @@ public:
   /// Returns how many of these cells are polyhedra that are cut into parts that overlap.
   vtkIdType GetNumberOfConcave() const { return this->NumberOfConcave; }
 
+  /// Returns a warning about the cells of \a input, the step as it was given, that are skipped
+  /// because of their coordinates, or an empty string.
+  std::string DescribeNonFinite(vtkDataSet* input) const { return this->NonFinite.Describe(input); }
+
   /// Makes the codes of all points at the first call, while progress goes from \a from to \a to.
   /// Returns false when the user aborted.
   bool MakeCodes(const ExtractionContext& context, double from, double to);
@@ -79,6 +84,7 @@ private:
   vtkIdType NumberOfConcave = 0;
   bool HasRows;
   int Dimensions[3] = { 0, 0, 0 };
+  NonFinitePoints NonFinite;
   ExtractionBuffer<ExtractionValues::Code> Codes;
   std::atomic<bool> Ties{ false };
   // The arrays that the step was read from; empty where the step is a copy.

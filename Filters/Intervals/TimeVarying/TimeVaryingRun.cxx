@@ -202,6 +202,17 @@ std::string TimeVaryingRun::AddStep(vtkDataObject* input, Results& result)
   return wrong;
 }
 
+void TimeVaryingRun::WarnOfNonFinite(const TimeStep& step, vtkDataSet* input)
+{
+  const std::string warning =
+    this->HasNonFiniteWarning ? std::string() : step.DescribeNonFinite(input);
+  if (!warning.empty())
+  {
+    this->Warn(this->DescribeStep() + ": " + warning);
+    this->HasNonFiniteWarning = true;
+  }
+}
+
 void TimeVaryingRun::NoteEmptiness()
 {
   if (this->Report.Simplices > 0)
@@ -261,6 +272,7 @@ std::string TimeVaryingRun::AddLeafStep(
     this->Warn(ExtractionInput::CheckPolyhedra(step->GetNumberOfConcave()));
     this->Warn(ExtractionInput::CheckPrecision(input, this->Options.Precision));
   }
+  this->WarnOfNonFinite(*step, input);
   const ExtractionContext context = this->MakeContext();
   const double slabs = static_cast<double>(this->Times.size()) - 1.0;
   const double leaves = static_cast<double>(this->Leaves.size());

@@ -87,6 +87,7 @@ private:
 
   ExtractionContext MakeContext();
   std::string AddLeafStep(vtkDataSet* input, Leaf& leaf, std::size_t number, Results& result);
+  void WarnOfNonFinite(const TimeStep& step, vtkDataSet* input);
   void NoteEmptiness();
   std::string CheckScalars(vtkDataSet* input, vtkDataArray*& scalars) const;
   std::string DescribeStep() const;
@@ -109,6 +110,8 @@ private:
   std::vector<std::unique_ptr<Leaf>> Leaves;
   EmptyResult Empty;
   std::vector<std::string> Warnings;
+  // Whether one of them is about non-finite coordinates: the first step that has some is named.
+  bool HasNonFiniteWarning = false;
 };
 
 }

@@ -104,7 +104,7 @@ public:
     const Stored* ids, ExtractionMesh& mesh)
     : Context(context)
     , Values(*context.Values)
-    , Scalars(ExtractionScalars::Make(context.Scalars, *context.Values))
+    , Scalars(context.MakeScalars())
     , Cells(grid, offsets, ids)
     , Whole(context, Cells)
     , Order(grid->GetPointData())
