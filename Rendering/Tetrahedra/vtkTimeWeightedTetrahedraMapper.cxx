@@ -2,6 +2,7 @@
 #include "vtkTimeWeightedTetrahedraMapper.h"
 
 #include "Common/ArrayCheck.h"
+#include "Common/FiniteNumbers.h"
 #include "Common/GridCheck.h"
 #include "Draw/TetrahedraRenderer.h"
 #include "Pieces/PieceExchange.h"
@@ -228,7 +229,7 @@ bool vtkTimeWeightedTetrahedraMapper::GatherPieces(
     this->DrawsInSoftware(window) ? 0.0 : 1.0 } };
   if (this->GetInput() && this->GetInput()->GetNumberOfCells() > 0)
   {
-    std::copy_n(this->Superclass::GetBounds(), 6, own.begin());
+    std::copy_n(this->GetOwnBounds(), 6, own.begin());
   }
   std::vector<std::array<double, 8>> all(
     static_cast<std::size_t>(controller->GetNumberOfProcesses()));
@@ -271,11 +272,33 @@ bool vtkTimeWeightedTetrahedraMapper::GatherPieces(
   return true;
 }
 
+double* vtkTimeWeightedTetrahedraMapper::GetOwnBounds()
+{
+  double* const bounds = this->Superclass::GetBounds();
+  auto* input = vtkPointSet::SafeDownCast(this->GetDataSetInput());
+  if (input && input->GetPoints() && !interlume::FiniteNumbers::AreFinite(bounds, 6))
+  {
+    // VTK includes points at infinity, which are not drawn.
+    vtkBoundingBox box;
+    for (vtkIdType p = 0; p < input->GetNumberOfPoints(); ++p)
+    {
+      double x[3];
+      input->GetPoint(p, x);
+      if (interlume::FiniteNumbers::AreFinite(x, 3))
+      {
+        box.AddPoint(x);
+      }
+    }
+    box.GetBounds(bounds);
+  }
+  return bounds;
+}
+
 double* vtkTimeWeightedTetrahedraMapper::GetBounds()
 {
   if (!this->Pieces)
   {
-    return this->Superclass::GetBounds();
+    return this->GetOwnBounds();
   }
   std::copy(this->Pieces->GetBounds().begin(), this->Pieces->GetBounds().end(), this->Bounds);
   return this->Bounds;

@@ -253,6 +253,7 @@ public:
   bool HasExtentInTime(vtkDataSet* data) const;
 
   using Superclass::GetBounds;
+  /// Returns the bounds of the points that have finite coordinates.
   double* GetBounds() VTK_SIZEHINT(6) override;
 
   /**
@@ -274,6 +275,8 @@ private:
   vtkTimeWeightedTetrahedraMapper(const vtkTimeWeightedTetrahedraMapper&) = delete;
   void operator=(const vtkTimeWeightedTetrahedraMapper&) = delete;
 
+  /// Returns the bounds of this process's piece.
+  double* GetOwnBounds();
   /// Returns whether a picture in a window is left to SOFTWARE_PATH.
   bool DrawsInSoftware(vtkRenderWindow* window) const;
   /// The arrays to be read; returns what is wrong, or nothing.

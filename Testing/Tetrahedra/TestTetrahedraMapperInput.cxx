@@ -355,14 +355,24 @@ void TestNonFinite(Table& table)
       { what.Grid->GetPointData()->GetScalars()->SetComponent(point, 0, x); });
     for (int axis : { 0, 2 })
     {
-      table.LeftOut("coordinates-" + std::to_string(axis) + "-" + value.Name, of + "a coordinate",
-        cells, 0,
-        [x, axis](PictureCase& what)
+      const std::string name = std::to_string(axis) + "-" + value.Name;
+      const auto change = [x, axis](PictureCase& what)
+      {
+        what.Grid->GetPoints()->GetData()->SetComponent(point, axis, x);
+        what.Grid->GetPoints()->Modified();
+        what.Grid->Modified();
+      };
+      table.LeftOut("coordinates-" + name, of + "a coordinate", cells, 0, change);
+      table.Quiet(
+        "bounds-" + name, of + "a coordinate", "the bounds of the other points",
+        [](Attempt& attempt, Outcome& outcome)
         {
-          what.Grid->GetPoints()->GetData()->SetComponent(point, axis, x);
-          what.Grid->GetPoints()->Modified();
-          what.Grid->Modified();
-        });
+          outcome = attempt.Draw();
+          double expected[6];
+          MakeCase().Grid->GetBounds(expected);
+          return std::equal(expected, expected + 6, attempt.Drawer->GetBounds());
+        },
+        change);
     }
     table.LeftOut(std::string("delta-t-") + value.Name, of + "the extent in time", cells, 0,
       [x](PictureCase& what)
