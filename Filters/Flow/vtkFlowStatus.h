@@ -89,7 +89,8 @@ public:
    * (vtkIdType): the point of the sample. BeyondSamplePosition (double, 3 components): the position
    * of that point. BeyondSampleDistance (double), BeyondSampleNormal (double, 3 components): its
    * distance from the surface, and the surface's normal there. BeyondSampleSurface (int): the
-   * number of the surface among those in use, -1 for samples that stand still on it.
+   * number of the surface among those in use, -1 for samples that stand still on it, -2 for samples
+   * beside the boundary of what reaches a surface (below).
    * BeyondTerminationSide: as TerminationSide, but for samples without an answer too, and 0 on the
    * surface. BeyondTerminationId, BeyondTerminationUV, BeyondAdvectionTime and so on: what the
    * sample would have if the answers of the surface's other side went on to it. For a sample of
@@ -97,6 +98,12 @@ public:
    * it reaches nothing or where nothing behind has an answer. For a sample of AWAY it is where the
    * streamline comes from, with a time below 0. A filter that changes points makes these arrays
    * useless, which readers find out by the positions.
+   *
+   * If the field has hidden cells or points, or vectors that are not finite, there are such tuples
+   * too for the corners of cells only some of which reach a surface. Their distances are from the
+   * boundary of what reaches it, up to a factor; the normal is 0 and not known. The side is TOWARDS
+   * for samples that reach the surface, and -AWAY for others, whose other arrays have values that
+   * are extrapolated from what reaches it.
    */
   static const char* BeyondPrefix() { return "Beyond"; }
   /// The name of the point array of vtkInflowMapping (double, one component), NaN where there is no

@@ -484,6 +484,7 @@ int vtkImplicitFlowField::RequestData(
       this->AddSpheres(field, options);
     }
     interlume::ImplicitFlowRun run(this, options, field, vectors);
+    run.SetHidden(input.HasHidden());
     if (ranks)
     {
       run.SetRanks(ranks.get());

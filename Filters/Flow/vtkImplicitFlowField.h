@@ -66,8 +66,10 @@ struct AdvectionOptions;
  * what that takes, within one id: TerminationSide tells. What samples beside a surface would have
  * on its other side is in field arrays (vtkFlowStatus::BeyondPrefix): two short streamlines and one
  * as long as a sample's for each of them, of which there are as many as cells that surfaces pass
- * through. The field array TerminationSurfaces tells
- * the ids and what is periodic. Where the samples are the field's own points or port 1's, the
+ * through. If the field has obstacles (hidden cells or points, vectors that are not finite), the
+ * boundary of what reaches a surface is located on the edges of the samples' cells, with six
+ * streamlines for each edge; the same arrays have the result. The field array TerminationSurfaces
+ * tells the ids and what is periodic. Where the samples are the field's own points or port 1's, the
  * output has their type (vtkUnstructuredGrid for composite data); an image of samples is
  * vtkImageData, so the type of the output follows SampleMode, and RefinementLevels.
  *

@@ -2,6 +2,7 @@
 #include "Fields/FieldInput.h"
 
 #include "Cells/MultilinearCell.h"
+#include "Common/Blanking.h"
 #include "Fields/MergedDataSets.h"
 
 #include "vtkCompositeDataIterator.h"
@@ -69,6 +70,31 @@ vtkSmartPointer<vtkDataSet> FieldInput::MakeField() const
     return this->Blocks[0].Data;
   }
   return MergedDataSets::Merge(this->GetData());
+}
+
+bool FieldInput::HasHidden() const
+{
+  std::vector<vtkDataSet*> parts = this->GetData();
+  if (this->Whole)
+  {
+    parts.push_back(this->Whole);
+  }
+  return std::any_of(parts.begin(), parts.end(),
+    [](vtkDataSet* data)
+    {
+      Blanking blanking;
+      blanking.SetBlanking(data);
+      bool isHidden = false;
+      for (vtkIdType cell = 0; blanking.CellGhosts && cell < data->GetNumberOfCells(); ++cell)
+      {
+        isHidden = isHidden || blanking.IsCellHidden(cell);
+      }
+      for (vtkIdType point = 0; blanking.PointGhosts && point < data->GetNumberOfPoints(); ++point)
+      {
+        isHidden = isHidden || blanking.IsPointBlanked(point);
+      }
+      return isHidden;
+    });
 }
 
 bool FieldInput::HasFlatBlocks() const

@@ -38,6 +38,9 @@ public:
   /// Returns whether there are blocks, and all of them are flat.
   bool HasFlatBlocks() const;
 
+  /// Returns whether cells or points are hidden, of the dataset or a block.
+  bool HasHidden() const;
+
   /// Makes the field, merging blocks; null without an input, or without a block.
   vtkSmartPointer<vtkDataSet> MakeField() const;
   /// Makes this process's part of the field, where others have other blocks: one grid of its
@@ -53,6 +56,7 @@ public:
   static bool IsComposite(vtkDataObject* input);
 
 private:
+  /// Returns the blocks' data.
   std::vector<vtkDataSet*> GetData() const;
 
   vtkDataSet* Whole;

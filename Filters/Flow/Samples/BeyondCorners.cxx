@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Samples/BeyondCorners.h"
 
+#include "Cells/MultilinearCell.h"
 #include "Common/Blanking.h"
 #include "Common/Vectors.h"
 #include "Samples/ImplicitFlowArrays.h"
@@ -17,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace interlume
 {
@@ -39,18 +41,27 @@ public:
     this->Blanking.SetBlanking(samples);
   }
 
-  void Search(vtkIdType cell, vtkIdList* ids, std::vector<BeyondCorners::Corner>& found)
+  /// Adds the corners of a cell that a surface passes through, and otherwise, if \a pairs is not
+  /// null, the pairs of its corners.
+  void Search(vtkIdType cell, vtkIdList* ids, std::vector<BeyondCorners::Corner>& found,
+    std::vector<BeyondCorners::Pair>* pairs)
   {
     if (!this->Load(cell, ids) || !this->IsMixed())
     {
       return;
     }
+    bool isCrossed = false;
     for (std::size_t s = 0; s < this->Options.Surfaces.size(); ++s)
     {
       if (this->IsReachedHere(this->Options.Surfaces[s]) && this->IsCrossedBy(s))
       {
+        isCrossed = true;
         this->AddCorners(static_cast<int>(s), found);
       }
+    }
+    if (pairs && !isCrossed && this->HasOneId())
+    {
+      this->AddPairs(this->Samples->GetCellType(cell), *pairs);
     }
   }
 
@@ -160,6 +171,83 @@ private:
     }
   }
 
+  bool IsReached(int corner) const { return this->Arrays.IsReached(this->Ids[corner]); }
+
+  /// Returns whether some corners reach a surface, all of them the same one, and some do not.
+  bool HasOneId() const
+  {
+    int id = -1;
+    bool isOne = true;
+    bool isOtherThere = false;
+    for (int i = 0; i < this->Number; ++i)
+    {
+      const int own = this->IsReached(i) ? this->Arrays.GetId(this->Ids[i]) : -1;
+      isOtherThere = isOtherThere || own < 0;
+      isOne = isOne && (own < 0 || id < 0 || own == id);
+      id = std::max(id, own);
+    }
+    return isOne && isOtherThere && id >= 0;
+  }
+
+  void AddPair(int first, int second, std::vector<BeyondCorners::Pair>& pairs) const
+  {
+    pairs.push_back(this->IsReached(first)
+        ? BeyondCorners::Pair{ this->Ids[first], this->Ids[second] }
+        : BeyondCorners::Pair{ this->Ids[second], this->Ids[first] });
+  }
+
+  void AddPairs(int type, std::vector<BeyondCorners::Pair>& pairs) const
+  {
+    const MultilinearCell::Shapes shape = MultilinearCell::GetShape(type);
+    const int* corners = nullptr;
+    MultilinearCell::GetCorners(shape, corners);
+    std::array<int, MostCorners> ofCube{};
+    for (int i = 0; i < this->Number; ++i)
+    {
+      ofCube[type == VTK_VOXEL ? i : corners[i]] = i;
+    }
+    const int(*edges)[2] = nullptr;
+    const int number = MultilinearCell::GetEdges(shape, edges);
+    std::array<bool, MostCorners> hasPair{};
+    for (int edge = 0; edge < number; ++edge)
+    {
+      const int first = ofCube[edges[edge][0]];
+      const int second = ofCube[edges[edge][1]];
+      if (this->IsReached(first) != this->IsReached(second))
+      {
+        hasPair[first] = hasPair[second] = true;
+        this->AddPair(first, second, pairs);
+      }
+    }
+    for (int i = 0; i < this->Number; ++i)
+    {
+      if (!hasPair[i])
+      {
+        this->AddPair(i, this->FindNearestOther(i), pairs);
+      }
+    }
+  }
+
+  int FindNearestOther(int corner) const
+  {
+    double x[3];
+    this->Samples->GetPoint(this->Ids[corner], x);
+    int nearest = -1;
+    double least = VTK_DOUBLE_MAX;
+    for (int i = 0; i < this->Number; ++i)
+    {
+      double other[3];
+      this->Samples->GetPoint(this->Ids[i], other);
+      const double distance = Vectors::SafeLength(Vectors::Difference(x, other));
+      if (this->IsReached(i) != this->IsReached(corner) && (nearest < 0 || distance < least))
+      {
+        nearest = i;
+        least = distance;
+      }
+    }
+    return nearest;
+  }
+
   vtkDataSet* Samples;
   const ImplicitFlowArrays& Arrays;
   const AdvectionOptions& Options;
@@ -176,14 +264,38 @@ bool IsBefore(const BeyondCorners::Corner& a, const BeyondCorners::Corner& b)
   return std::make_tuple(a.Sample, std::abs(a.Distance), a.Surface) <
     std::make_tuple(b.Sample, std::abs(b.Distance), b.Surface);
 }
+
+// Sorts pairs, and removes those that are there twice or have a sample among \a corners.
+void Reduce(
+  const std::vector<BeyondCorners::Corner>& corners, std::vector<BeyondCorners::Pair>& pairs)
+{
+  using Pair = BeyondCorners::Pair;
+  const auto isCorner = [&corners](vtkIdType sample)
+  {
+    const auto found = std::lower_bound(corners.begin(), corners.end(), sample,
+      [](const BeyondCorners::Corner& corner, vtkIdType id) { return corner.Sample < id; });
+    return found != corners.end() && found->Sample == sample;
+  };
+  const auto get = [](const Pair& pair) { return std::make_pair(pair.Reached, pair.Other); };
+  std::sort(
+    pairs.begin(), pairs.end(), [&get](const Pair& a, const Pair& b) { return get(a) < get(b); });
+  pairs.erase(std::unique(pairs.begin(), pairs.end(),
+                [&get](const Pair& a, const Pair& b) { return get(a) == get(b); }),
+    pairs.end());
+  pairs.erase(
+    std::remove_if(pairs.begin(), pairs.end(),
+      [&isCorner](const Pair& pair) { return isCorner(pair.Reached) || isCorner(pair.Other); }),
+    pairs.end());
+}
 }
 
-std::vector<BeyondCorners::Corner> BeyondCorners::Find(
-  vtkDataSet* samples, const ImplicitFlowArrays& arrays, const AdvectionOptions& options)
+std::vector<BeyondCorners::Corner> BeyondCorners::Find(vtkDataSet* samples,
+  const ImplicitFlowArrays& arrays, const AdvectionOptions& options, std::vector<Pair>* pairs)
 {
-  const vtkIdType cells = options.Surfaces.empty() ? 0 : samples->GetNumberOfCells();
+  const vtkIdType cells = options.Surfaces.empty() && !pairs ? 0 : samples->GetNumberOfCells();
   vtkSMPThreadLocalObject<vtkIdList> lists;
   vtkSMPThreadLocal<std::vector<Corner>> threads;
+  vtkSMPThreadLocal<std::vector<Pair>> pairsOfThreads;
   if (cells > 0)
   {
     // Makes the data that the dataset makes at the first call, before threads need them.
@@ -196,7 +308,8 @@ std::vector<BeyondCorners::Corner> BeyondCorners::Find(
       CellSearch search(samples, arrays, options);
       for (vtkIdType cell = first; cell < last; ++cell)
       {
-        search.Search(cell, lists.Local(), threads.Local());
+        search.Search(
+          cell, lists.Local(), threads.Local(), pairs ? &pairsOfThreads.Local() : nullptr);
       }
     });
   std::vector<Corner> all;
@@ -217,6 +330,15 @@ std::vector<BeyondCorners::Corner> BeyondCorners::Find(
       found.back().Length = std::max(found.back().Length, corner.Length);
       found.back().IsOtherReached = found.back().IsOtherReached || corner.IsOtherReached;
     }
+  }
+  if (pairs)
+  {
+    pairs->clear();
+    for (const std::vector<Pair>& own : pairsOfThreads)
+    {
+      pairs->insert(pairs->end(), own.begin(), own.end());
+    }
+    Reduce(found, *pairs);
   }
   return found;
 }

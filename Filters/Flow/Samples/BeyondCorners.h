@@ -41,10 +41,19 @@ public:
     bool IsOtherReached = false;
   };
 
+  /// Two corners of a cell, one of which reaches a surface.
+  struct Pair
+  {
+    vtkIdType Reached = -1;
+    vtkIdType Other = -1;
+  };
+
   /// Finds the corners, ascending by sample, each once, with the nearest surface. \a options must
-  /// not change while they are used.
-  static std::vector<Corner> Find(
-    vtkDataSet* samples, const ImplicitFlowArrays& arrays, const AdvectionOptions& options);
+  /// not change while they are used. If \a pairs is not null, it becomes the pairs in all other
+  /// cells whose corners reach one surface or none: the ends of edges, and for a corner without
+  /// such an edge the nearest other one. No sample of a pair is among the corners found.
+  static std::vector<Corner> Find(vtkDataSet* samples, const ImplicitFlowArrays& arrays,
+    const AdvectionOptions& options, std::vector<Pair>* pairs = nullptr);
 };
 
 }

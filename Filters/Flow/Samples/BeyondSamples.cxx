@@ -108,6 +108,10 @@ int BeyondSamples::GetId(vtkIdType row) const
 
 double BeyondSamples::GetNearTime(const ImplicitFlowArrays& arrays, vtkIdType row) const
 {
+  if (!this->HasSurface(row))
+  {
+    return 0.0;
+  }
   if (this->IsAway(row))
   {
     return this->GetId(row) >= 0 ? this->Times->GetComponent(row, 0) : 0.0;
@@ -122,7 +126,7 @@ BeyondSamples::Parts BeyondSamples::GetParts(
   for (vtkIdType i = 0; i < number; ++i)
   {
     const vtkIdType row = this->GetRow(corners[i]);
-    if (row < 0 || this->Surfaces->GetComponent(row, 0) < 0.0 ||
+    if (row < 0 || this->Surfaces->GetComponent(row, 0) == StandsStill ||
       this->Surfaces->GetComponent(row, 0) !=
         this->Surfaces->GetComponent(this->GetRow(corners[0]), 0))
     {

@@ -38,6 +38,11 @@ public:
   static constexpr const char* Normal = "SampleNormal";
   static constexpr const char* Surface = "SampleSurface";
 
+  /// The numbers of samples in place of that of their surface: those that stand still on it, and
+  /// those beside the boundary of what reaches a surface, which is no surface.
+  static constexpr int StandsStill = -1;
+  static constexpr int NoSurface = -2;
+
   /// Returns the name of the field array that has \a name of such samples.
   static std::string GetName(const std::string& name)
   {
@@ -91,14 +96,17 @@ public:
   vtkIdType GetPoint(vtkIdType row) const;
   /// Returns the distance from the surface, 0 and above.
   double GetDistance(vtkIdType row) const;
-  /// Returns the side of the surface: 1 above, -1 below, 0 on the surface.
+  /// Returns whether there is a surface beside the sample, not the boundary of what reaches one.
+  bool HasSurface(vtkIdType row) const { return this->Surfaces->GetComponent(row, 0) != NoSurface; }
+  /// Returns the side of the surface: 1 above, -1 below, 0 on the surface; 1 for samples that reach
+  /// one, -1 for others.
   int GetSide(vtkIdType row) const;
   /// Returns whether the streamline leaves away from the surface.
   bool IsAway(vtkIdType row) const;
   /// Returns the id that the sample would have beyond; -1 where that is not known.
   int GetId(vtkIdType row) const;
   /// Returns the time that the streamline takes to the surface, below 0 where it comes from there;
-  /// 0 where that is not known.
+  /// 0 where that is not known or there is no surface.
   double GetNearTime(const ImplicitFlowArrays& arrays, vtkIdType row) const;
   void GetNormal(vtkIdType row, double normal[3]) const { this->Normals->GetTuple(row, normal); }
 

@@ -14,6 +14,7 @@
 #include "Samples/BeyondTrace.h"
 #include "Samples/CellRefinement.h"
 #include "Samples/ImplicitFlowArrays.h"
+#include "Samples/ReachedBoundary.h"
 #include "Samples/SampleOrder.h"
 #include "Samples/SamplingCheck.h"
 #include "Samples/SharedLattice.h"
@@ -172,6 +173,27 @@ struct ImplicitFlowRun::Arrays
       this->StiffSteps->SetValue(id, result.StiffSteps);
     }
   }
+
+  AdvectionResult Get(vtkIdType id) const
+  {
+    AdvectionResult result;
+    result.Status = this->Status->GetValue(id);
+    result.Id = this->Id->GetValue(id);
+    this->Parameters->GetTypedTuple(id, result.Parameters);
+    result.Time = this->Time->GetValue(id);
+    const auto get = [id](const vtkDoubleArray* array)
+    { return array ? array->GetValue(id) : 0.0; };
+    result.MaximumSpeed = get(this->MaximumSpeed);
+    result.ArcLength = get(this->ArcLength);
+    result.MeanVorticity = get(this->MeanVorticity);
+    for (const vtkDoubleArray* mean : this->Means)
+    {
+      result.Means.push_back(get(mean));
+    }
+    result.Steps = this->Steps ? this->Steps->GetValue(id) : 0;
+    result.StiffSteps = this->StiffSteps ? this->StiffSteps->GetValue(id) : 0;
+    return result;
+  }
 };
 
 ImplicitFlowRun::ImplicitFlowRun(
@@ -286,6 +308,7 @@ std::string ImplicitFlowRun::ExecuteInRanks(
   {
     return error;
   }
+  this->HasObstacles = this->Ranks->GetExchange().IsAnywhere(this->HasObstacles);
   this->Describe(streamlines->GetField());
   streamlines->Describe(this->Report);
   const int domainFaces = this->Options.DomainFaces ? streamlines->FindDomainFaces() : 0;
@@ -332,7 +355,7 @@ void ImplicitFlowRun::FollowLevels(Streamlines& streamlines, vtkDataSet* samples
   }
   for (int level = 1; goesOn && level <= this->Options.RefinementLevels; ++level)
   {
-    goesOn = this->FindBeyond(streamlines, grid);
+    goesOn = this->FindBeyond(streamlines, grid, false);
     if (!goesOn)
     {
       break;
@@ -344,7 +367,7 @@ void ImplicitFlowRun::FollowLevels(Streamlines& streamlines, vtkDataSet* samples
     this->Report.AddedSamples.push_back(grid->GetNumberOfPoints() - before);
     goesOn = this->Follow(streamlines, grid, before, level, sides);
   }
-  goesOn = goesOn && this->FindBeyond(streamlines, grid ? grid.GetPointer() : samples);
+  goesOn = goesOn && this->FindBeyond(streamlines, grid ? grid.GetPointer() : samples, true);
   if (goesOn && !grid && this->Options.SamplingChecks > 0)
   {
     goesOn = this->CheckSampling(streamlines, samples);
@@ -356,6 +379,7 @@ void ImplicitFlowRun::FollowLevels(Streamlines& streamlines, vtkDataSet* samples
 template <typename FieldType>
 void ImplicitFlowRun::Describe(const FieldType& field)
 {
+  this->HasObstacles = this->HasObstacles || field.GetNumberOfNonFiniteVectors() > 0;
   this->Report.MaximumSpeed = field.GetMaximumSpeed();
   this->Report.FillValues = field.GetFillValues().Number;
   this->Report.FillValue = field.GetFillValues().Value;
@@ -560,20 +584,32 @@ void ImplicitFlowRun::FindSides(
     });
 }
 
-bool ImplicitFlowRun::FindBeyond(Streamlines& streamlines, vtkDataSet* samples) const
+bool ImplicitFlowRun::FindBeyond(Streamlines& streamlines, vtkDataSet* samples, bool isLast) const
 {
   vtkFieldData* data = samples->GetFieldData();
   BeyondSamples::Remove(data);
   ImplicitFlowArrays known;
   std::vector<BeyondCorners::Corner> corners;
+  std::vector<BeyondCorners::Pair> pairs;
+  const bool hasBoundary = isLast && this->HasObstacles;
   if (known.Find(samples).empty())
   {
-    corners = BeyondCorners::Find(samples, known, this->Options);
+    corners = BeyondCorners::Find(samples, known, this->Options, hasBoundary ? &pairs : nullptr);
   }
   BeyondTrace trace(streamlines, this->Options, samples, this->Progress);
   std::vector<BeyondTrace::Answer> answers;
-  const bool isDone = trace.Find(corners, answers);
-  const auto number = static_cast<vtkIdType>(corners.size());
+  bool isDone = trace.Find(corners, answers);
+  std::vector<ReachedBoundary::Answer> beside;
+  if (isDone && hasBoundary)
+  {
+    Arrays own;
+    own.Find(*this, samples);
+    ReachedBoundary boundary(streamlines, this->Options, samples, known, this->Progress);
+    isDone = boundary.Find(
+      pairs, [&own](vtkIdType sample) { return own.Get(sample); }, beside);
+  }
+  const auto first = static_cast<vtkIdType>(corners.size());
+  const vtkIdType number = first + static_cast<vtkIdType>(beside.size());
   if (number == 0 || !isDone)
   {
     return isDone;
@@ -586,16 +622,29 @@ bool ImplicitFlowRun::FindBeyond(Streamlines& streamlines, vtkDataSet* samples) 
   auto* surfaces = Add<vtkIntArray>(data, Beyond::GetName(Beyond::Surface), 1, number);
   Arrays arrays;
   arrays.MakeBeyond(*this, data, number);
-  for (vtkIdType row = 0; row < number; ++row)
+  for (vtkIdType row = 0; row < first; ++row)
   {
     const auto i = static_cast<std::size_t>(row);
     points->SetValue(row, corners[i].Sample);
     positions->SetTuple(row, samples->GetPoint(corners[i].Sample));
     distances->SetValue(row, std::abs(corners[i].Distance));
     normals->SetTuple(row, answers[i].Normal);
-    surfaces->SetValue(row, answers[i].IsStill ? -1 : corners[i].Surface);
+    surfaces->SetValue(row, answers[i].IsStill ? Beyond::StandsStill : corners[i].Surface);
     arrays.Set(row, answers[i].Beyond);
     arrays.Side->SetValue(row, answers[i].Side);
+  }
+  for (vtkIdType row = first; row < number; ++row)
+  {
+    const ReachedBoundary::Answer& answer = beside[static_cast<std::size_t>(row - first)];
+    constexpr double unknown[3] = { 0.0, 0.0, 0.0 };
+    points->SetValue(row, answer.Sample);
+    positions->SetTuple(row, samples->GetPoint(answer.Sample));
+    distances->SetValue(row, answer.Distance);
+    normals->SetTuple(row, unknown);
+    surfaces->SetValue(row, Beyond::NoSurface);
+    arrays.Set(row, answer.Beyond);
+    arrays.Side->SetValue(row,
+      static_cast<signed char>(answer.IsReached ? vtkFlowStatus::TOWARDS : -vtkFlowStatus::AWAY));
   }
   // The id tells whether something is reached.
   data->RemoveArray(Beyond::GetName(vtkFlowStatus::StatusArray()).c_str());

@@ -40,6 +40,10 @@ public:
   /// process is to execute.
   void SetRanks(RankField* ranks);
 
+  /// Sets whether the input has hidden cells or points. Streamlines end there, and cells of samples
+  /// beside the boundary of what reaches a surface get what they are cut by.
+  void SetHidden(bool hasHidden) { this->HasObstacles = hasHidden; }
+
   /// Sets where finished streamlines are kept, and taken from; null: nowhere.
   void SetCheckpoint(FlowCheckpoint* checkpoint) { this->Checkpoint = checkpoint; }
 
@@ -99,8 +103,9 @@ private:
   static void FindSides(
     Streamlines& streamlines, vtkDataSet* samples, const TerminationSides& sides, Arrays& arrays);
   /// Finds what samples beside surfaces would have on the other side, after their sides were found.
-  /// Returns false when the owner was aborted.
-  bool FindBeyond(Streamlines& streamlines, vtkDataSet* samples) const;
+  /// If \a isLast, that is, if no further level is refined, and the field has obstacles, finds the
+  /// same beside the boundary of what reaches a surface. Returns false when the owner was aborted.
+  bool FindBeyond(Streamlines& streamlines, vtkDataSet* samples, bool isLast) const;
   /// Compares what is interpolated between samples with streamlines. Returns false when the owner
   /// was aborted.
   bool CheckSampling(Streamlines& streamlines, vtkDataSet* samples);
@@ -119,6 +124,8 @@ private:
   vtkFlowReport Report;
   double Progress = 0.0;
   bool Aborted = false;
+  /// Whether streamlines end within the field at hidden cells, or at vectors that are not finite.
+  bool HasObstacles = false;
   std::shared_ptr<const MeshLinks> Mesh;
 };
 

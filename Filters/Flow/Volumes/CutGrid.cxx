@@ -188,7 +188,7 @@ void CutGrid::SetValues(vtkDataSet* input, const BeyondSamples& beyond,
     {
       const vtkIdType other = beyond.GetRow(point.Other);
       nearTime = -beyond.GetNearTime(arrays, other) * (gap / beyond.GetDistance(other));
-      if (point.IsNear)
+      if (point.IsNear && beyond.HasSurface(row))
       {
         times->SetComponent(p, 0, nearTime);
       }

@@ -123,6 +123,11 @@ double FindPlace(vtkUnstructuredGrid* whole, vtkIdType a, vtkIdType b)
   slope[1] = vtkMath::Dot(gradient, way);
   const double above = gaps->GetComponent(a, 0);
   const double below = gaps->GetComponent(b, 0);
+  if (slope[0] == 0.0 && slope[1] == 0.0)
+  {
+    // The gradients are not known.
+    return above / (above - below);
+  }
   // The distance along the edge as Hermite's cubic.
   const auto distance = [&](double s)
   {

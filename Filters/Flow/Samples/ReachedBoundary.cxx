@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Samples/ReachedBoundary.h"
+
+#include "Common/Vectors.h"
+#include "Samples/ImplicitFlowArrays.h"
+
+#include "vtkDataSet.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace interlume
+{
+
+namespace
+{
+// The number of bisections of each line.
+constexpr int Bisections = 6;
+// The number of passes over all lines until distances fit them; they need not fit exactly.
+constexpr int Passes = 32;
+
+// Calls visit(value) for each number of a result that is extrapolated.
+template <typename Visit>
+void ForEachNumber(AdvectionResult& result, Visit&& visit)
+{
+  for (double* number : { &result.Parameters[0], &result.Parameters[1], &result.Time,
+         &result.MaximumSpeed, &result.ArcLength, &result.MeanVorticity })
+  {
+    visit(*number);
+  }
+  for (double& mean : result.Means)
+  {
+    visit(mean);
+  }
+}
+
+std::vector<double> GetNumbers(AdvectionResult result)
+{
+  std::vector<double> numbers;
+  ForEachNumber(result, [&numbers](double number) { numbers.push_back(number); });
+  return numbers;
+}
+
+// Adds a period to a parameter, or several, so that it is within half a period of another one.
+void Unwrap(double& parameter, double other)
+{
+  parameter += std::round(other - parameter);
+}
+}
+
+ReachedBoundary::ReachedBoundary(Streamlines& streamlines, const AdvectionOptions& options,
+  vtkDataSet* samples, const ImplicitFlowArrays& arrays, double progress)
+  : Field(streamlines)
+  , Options(options)
+  , Samples(samples)
+  , Arrays(arrays)
+  , Progress(progress)
+{
+}
+
+bool ReachedBoundary::Find(const std::vector<BeyondCorners::Pair>& pairs,
+  const GetResult& getResult, std::vector<Answer>& answers)
+{
+  std::vector<vtkIdType> samples;
+  for (const BeyondCorners::Pair& pair : pairs)
+  {
+    samples.insert(samples.end(), { pair.Reached, pair.Other });
+  }
+  std::sort(samples.begin(), samples.end());
+  samples.erase(std::unique(samples.begin(), samples.end()), samples.end());
+  answers.assign(samples.size(), Answer());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    answers[i].Sample = samples[i];
+    answers[i].IsReached = this->Arrays.IsReached(samples[i]);
+  }
+  const auto find = [&samples](vtkIdType sample)
+  {
+    return static_cast<std::size_t>(
+      std::lower_bound(samples.begin(), samples.end(), sample) - samples.begin());
+  };
+  this->Lines.clear();
+  for (const BeyondCorners::Pair& pair : pairs)
+  {
+    this->Lines.push_back({ find(pair.Reached), find(pair.Other), this->Arrays.GetId(pair.Reached),
+      0.0, 1.0, getResult(pair.Reached) });
+  }
+  if (!this->Bisect(answers))
+  {
+    return false;
+  }
+  this->SetDistances(answers);
+  this->Extrapolate(getResult, answers);
+  return true;
+}
+
+double ReachedBoundary::GetPosition(
+  const Answers& answers, const Line& line, double fraction, double x[3]) const
+{
+  double other[3];
+  this->Samples->GetPoint(answers[line.Reached].Sample, x);
+  this->Samples->GetPoint(answers[line.Other].Sample, other);
+  const glm::dvec3 way = Vectors::Difference(other, x);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    x[axis] += fraction * way[axis];
+  }
+  return Vectors::SafeLength(way);
+}
+
+bool ReachedBoundary::Bisect(const Answers& answers)
+{
+  bool goesOn = true;
+  for (int i = 0; i < Bisections && goesOn; ++i)
+  {
+    goesOn = this->Field.Follow(
+      this->Options, static_cast<vtkIdType>(this->Lines.size()),
+      [&](vtkIdType number, double x[3])
+      {
+        const Line& line = this->Lines[static_cast<std::size_t>(number)];
+        this->GetPosition(answers, line, line.GetPlace(), x);
+      },
+      [this](vtkIdType number, const AdvectionResult& result)
+      {
+        Line& line = this->Lines[static_cast<std::size_t>(number)];
+        const double middle = line.GetPlace();
+        const bool isReached =
+          result.Status == vtkFlowStatus::REACHED_SURFACE && result.Id == line.Id;
+        (isReached ? line.First : line.Last) = middle;
+        if (isReached)
+        {
+          line.Result = result;
+        }
+      },
+      this->Progress, this->Progress);
+  }
+  return goesOn;
+}
+
+void ReachedBoundary::SetDistances(Answers& answers) const
+{
+  constexpr double unknown = VTK_DOUBLE_MAX;
+  std::vector<double> logs(answers.size(), unknown);
+  for (const Line& line : this->Lines)
+  {
+    double x[3];
+    const double length = this->GetPosition(answers, line, 0.0, x);
+    for (const bool isReached : { true, false })
+    {
+      double& log = logs[isReached ? line.Reached : line.Other];
+      const double part = isReached ? line.GetPlace() : 1.0 - line.GetPlace();
+      log = std::min(log, std::log(part * length));
+    }
+  }
+  // Least squares of the logarithms of ratios, by relaxation of one kind of samples after the
+  // other.
+  std::vector<double> sums(answers.size());
+  std::vector<int> numbers(answers.size());
+  for (int pass = 0; pass < Passes; ++pass)
+  {
+    const bool setsReached = pass % 2 == 0;
+    std::fill(sums.begin(), sums.end(), 0.0);
+    std::fill(numbers.begin(), numbers.end(), 0);
+    for (const Line& line : this->Lines)
+    {
+      const double ratio = std::log(line.GetPlace() / (1.0 - line.GetPlace()));
+      const std::size_t to = setsReached ? line.Reached : line.Other;
+      sums[to] += setsReached ? logs[line.Other] + ratio : logs[line.Reached] - ratio;
+      ++numbers[to];
+    }
+    for (std::size_t i = 0; i < answers.size(); ++i)
+    {
+      logs[i] = numbers[i] > 0 ? sums[i] / numbers[i] : logs[i];
+    }
+  }
+  for (std::size_t i = 0; i < answers.size(); ++i)
+  {
+    answers[i].Distance = std::exp(logs[i]);
+  }
+}
+
+void ReachedBoundary::Extrapolate(const GetResult& getResult, Answers& answers) const
+{
+  // The line of each sample that comes closest to it, whose surface counts.
+  std::vector<const Line*> closest(answers.size(), nullptr);
+  for (const Line& line : this->Lines)
+  {
+    const Line*& best = closest[line.Other];
+    best = !best || line.First > best->First ? &line : best;
+  }
+  std::vector<double> weights(answers.size(), 0.0);
+  std::vector<std::vector<double>> sums(answers.size());
+  for (const Line& line : this->Lines)
+  {
+    const Line& best = *closest[line.Other];
+    if (line.Id != best.Id)
+    {
+      continue;
+    }
+    const std::array<bool, 2> periodicity = this->Arrays.GetPeriodicity(line.Id);
+    std::vector<double> start = GetNumbers(getResult(answers[line.Reached].Sample));
+    std::vector<double> end = GetNumbers(line.Result);
+    for (std::size_t direction = 0; direction < 2; ++direction)
+    {
+      if (periodicity[direction])
+      {
+        Unwrap(end[direction], best.Result.Parameters[direction]);
+        Unwrap(start[direction], end[direction]);
+      }
+    }
+    std::vector<double>& sum = sums[line.Other];
+    sum.resize(start.size(), 0.0);
+    // What is extrapolated from a short way counts little. One place alone is not extrapolated.
+    const double weight = std::max(line.First, 1e-9);
+    for (std::size_t i = 0; i < sum.size(); ++i)
+    {
+      sum[i] += weight * start[i] + (end[i] - start[i]);
+    }
+    weights[line.Other] += weight;
+  }
+  for (std::size_t i = 0; i < answers.size(); ++i)
+  {
+    if (!closest[i])
+    {
+      continue;
+    }
+    AdvectionResult& beyond = answers[i].Beyond;
+    beyond = closest[i]->Result;
+    std::size_t next = 0;
+    ForEachNumber(beyond, [&](double& number) { number = sums[i][next++] / weights[i]; });
+    const std::array<bool, 2> periodicity = this->Arrays.GetPeriodicity(beyond.Id);
+    for (std::size_t direction = 0; direction < 2; ++direction)
+    {
+      double& parameter = beyond.Parameters[direction];
+      parameter -= periodicity[direction] ? std::floor(parameter) : 0.0;
+    }
+  }
+}
+
+}

@@ -1,0 +1,429 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Flow volumes behind obstacles that are hidden points, hidden cells or vectors that are no
+// numbers: the volume that uniform flow reaches past the obstacle, against lines through the hidden
+// cells, on images and other grids, with one obstacle, two, and one at the end of the field.
+#include "Flows/ReferenceFlowAnswers.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Checks/ReferenceRandom.h"
+#include "Reference/Checks/ReferenceThreads.h"
+#include "Reference/Flow/ReferenceFlowGrid.h"
+
+#include "vtkFlowVolume.h"
+#include "vtkImplicitFlowField.h"
+#include "vtkInflowMapping.h"
+#include "vtkTerminationPlane.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkStructuredGrid.h"
+#include "vtkTetra.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr double Place = -0.97;
+
+enum Ways
+{
+  HiddenPoints,
+  HiddenCells,
+  NotFinite
+};
+
+struct Case
+{
+  const char* Name;
+  Vector Direction;
+  /// The points of the field along each axis.
+  int Points;
+  std::vector<std::pair<Vector, double>> Balls;
+  Ways Way = HiddenPoints;
+  /// 0 for an image, 1 for a structured grid, 2 for an unstructured one.
+  int Kind = 0;
+  /// The levels of refinement.
+  int Levels = 0;
+  int Samples = 17;
+};
+
+bool IsInBall(const Case& one, const double* x)
+{
+  return std::any_of(one.Balls.begin(), one.Balls.end(),
+    [x](const auto& ball)
+    {
+      return GetNorm({ { x[0] - ball.first[0], x[1] - ball.first[1], x[2] - ball.first[2] } }) <
+        ball.second;
+    });
+}
+
+/// The cells of the field with an obstacle's point.
+class Obstacle
+{
+public:
+  explicit Obstacle(const Case& one)
+    : Cells(one.Points - 1)
+    , IsHidden(static_cast<std::size_t>(this->Cells * this->Cells * this->Cells))
+  {
+    for (int i = 0; i < one.Points; ++i)
+    {
+      for (int j = 0; j < one.Points; ++j)
+      {
+        for (int k = 0; k < one.Points; ++k)
+        {
+          const double x[3] = { -1.0 + 2.0 * i / this->Cells, -1.0 + 2.0 * j / this->Cells,
+            -1.0 + 2.0 * k / this->Cells };
+          for (int corner = 0; IsInBall(one, x) && corner < 8; ++corner)
+          {
+            this->Hide(i - (corner & 1), j - (corner >> 1 & 1), k - (corner >> 2 & 1));
+          }
+        }
+      }
+    }
+  }
+
+  bool Get(int i, int j, int k) const
+  {
+    return this->IsHidden[static_cast<std::size_t>((i * this->Cells + j) * this->Cells + k)];
+  }
+
+  /// Returns whether the line from \a x against the direction reaches the plane without a hidden
+  /// cell, and within the field.
+  bool Reaches(const Vector& x, const Vector& direction) const
+  {
+    const double time = (x[0] - Place) / direction[0];
+    const auto steps = static_cast<int>(std::ceil(5.0 * this->Cells * time));
+    for (int step = 0; step <= steps; ++step)
+    {
+      int index[3];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double y = x[axis] - time * step / std::max(steps, 1) * direction[axis];
+        index[axis] = static_cast<int>(std::floor(0.5 * (y + 1.0) * this->Cells));
+        if (index[axis] < 0 || index[axis] >= this->Cells)
+        {
+          return false;
+        }
+      }
+      if (this->Get(index[0], index[1], index[2]))
+      {
+        return false;
+      }
+    }
+    return time >= 0.0;
+  }
+
+private:
+  void Hide(int i, int j, int k)
+  {
+    if (std::min({ i, j, k }) >= 0 && std::max({ i, j, k }) < this->Cells)
+    {
+      this->IsHidden[static_cast<std::size_t>((i * this->Cells + j) * this->Cells + k)] = true;
+    }
+  }
+
+  int Cells;
+  std::vector<bool> IsHidden;
+};
+
+/// The volume from which lines reach the plane: the share of places, one in each of many boxes.
+double MeasureLines(const Case& one)
+{
+  const Obstacle obstacle(one);
+  constexpr int boxes = 40;
+  Random random(5);
+  int reached = 0;
+  for (int i = 0; i < boxes * boxes * boxes; ++i)
+  {
+    const std::array<int, 3> box = { { i % boxes, i / boxes % boxes, i / boxes / boxes } };
+    Vector x;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      x[axis] = -1.0 + 2.0 * (box[axis] + random.Get(0.0, 1.0)) / boxes;
+    }
+    reached += obstacle.Reaches(x, one.Direction) ? 1 : 0;
+  }
+  return 8.0 * reached / (boxes * boxes * boxes);
+}
+
+/// The field, with its obstacle.
+vtkSmartPointer<vtkDataSet> MakeField(const Case& one)
+{
+  auto image =
+    MakeFlowImage({ { one.Points, one.Points, one.Points } }, { { -1, 1, -1, 1, -1, 1 } });
+  vtkDataArray* vectors = AddVectors(image, [&one](const Vector&) { return one.Direction; });
+  vtkUnsignedCharArray* ghosts =
+    one.Way == HiddenPoints ? image->AllocatePointGhostArray() : nullptr;
+  for (vtkIdType p = 0; p < image->GetNumberOfPoints(); ++p)
+  {
+    double x[3];
+    image->GetPoint(p, x);
+    if (!IsInBall(one, x))
+    {
+      continue;
+    }
+    if (one.Way == HiddenPoints)
+    {
+      ghosts->SetValue(p, vtkDataSetAttributes::HIDDENPOINT);
+    }
+    else if (one.Way == NotFinite)
+    {
+      vectors->SetTuple3(p, std::numeric_limits<double>::quiet_NaN(), 1.0, 1.0);
+    }
+  }
+  if (one.Way == HiddenCells)
+  {
+    ghosts = image->AllocateCellGhostArray();
+    const Obstacle obstacle(one);
+    const int cells = one.Points - 1;
+    for (vtkIdType cell = 0; cell < image->GetNumberOfCells(); ++cell)
+    {
+      if (obstacle.Get(static_cast<int>(cell % cells), static_cast<int>(cell / cells % cells),
+            static_cast<int>(cell / cells / cells)))
+      {
+        ghosts->SetValue(cell, vtkDataSetAttributes::HIDDENCELL);
+      }
+    }
+  }
+  if (one.Kind == 0)
+  {
+    return image;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType p = 0; p < image->GetNumberOfPoints(); ++p)
+  {
+    points->InsertNextPoint(image->GetPoint(p));
+  }
+  auto structured = vtkSmartPointer<vtkStructuredGrid>::New();
+  structured->SetDimensions(image->GetDimensions());
+  structured->SetPoints(points);
+  structured->GetPointData()->ShallowCopy(image->GetPointData());
+  structured->GetCellData()->ShallowCopy(image->GetCellData());
+  if (one.Kind == 1)
+  {
+    return structured;
+  }
+  auto mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  mesh->SetPoints(points);
+  mesh->AllocateEstimate(image->GetNumberOfCells(), 8);
+  const vtkIdType n = one.Points;
+  for (vtkIdType cell = 0; cell < image->GetNumberOfCells(); ++cell)
+  {
+    const vtkIdType p =
+      cell % (n - 1) + n * (cell / (n - 1) % (n - 1) + n * (cell / (n - 1) / (n - 1)));
+    const vtkIdType corners[8] = { p, p + 1, p + n + 1, p + n, p + n * n, p + n * n + 1,
+      p + n * n + n + 1, p + n * n + n };
+    mesh->InsertNextCell(VTK_HEXAHEDRON, 8, corners);
+  }
+  mesh->GetPointData()->ShallowCopy(image->GetPointData());
+  mesh->GetCellData()->ShallowCopy(image->GetCellData());
+  return mesh;
+}
+
+vtkSmartPointer<vtkTerminationPlane> MakePlane()
+{
+  auto plane = vtkSmartPointer<vtkTerminationPlane>::New();
+  plane->SetOrigin(Place, -5, -5);
+  plane->SetPoint1(Place, 5, -5);
+  plane->SetPoint2(Place, -5, 5);
+  return plane;
+}
+
+/// The implicit flow field of samples along each axis.
+vtkSmartPointer<vtkDataSet> MakeSamples(const Case& one)
+{
+  vtkNew<vtkImplicitFlowField> field;
+  field->SetInputData(MakeField(one));
+  const bool isImage = one.Points != one.Samples;
+  field->SetSampleMode(
+    isImage ? vtkImplicitFlowField::SAMPLES_OF_IMAGE : vtkImplicitFlowField::SAMPLES_OF_FIELD);
+  field->SetSampleDimensions(one.Samples, one.Samples, one.Samples);
+  field->SetSamplingChecks(0);
+  field->SetRefinementLevels(one.Levels);
+  field->AddTerminationSurface(MakePlane());
+  field->Update();
+  return vtkDataSet::SafeDownCast(field->GetOutputDataObject(0));
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> Extract(vtkDataSet* samples)
+{
+  vtkNew<vtkInflowMapping> mapping;
+  mapping->SetInputData(samples);
+  mapping->SetFormula(vtkInflowMapping::ALL, "10*u-5");
+  vtkNew<vtkFlowVolume> volume;
+  volume->SetInputConnection(mapping->GetOutputPort());
+  volume->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  volume->SetInterval(0, -2.0, 0.1);
+  volume->SetInterval(1, 0.1, 2.0);
+  volume->Update();
+  return volume->GetOutput();
+}
+
+/// Returns the volume of tetrahedra, and checks that no face has more than two, and no tetrahedron
+/// is turned over.
+double Measure(vtkUnstructuredGrid* mesh, Check& check)
+{
+  double sum = 0.0;
+  vtkNew<vtkIdList> ids;
+  std::vector<std::array<vtkIdType, 3>> faces;
+  vtkIdType inverted = 0;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    mesh->GetCellPoints(cell, ids);
+    double x[4][3];
+    for (int i = 0; i < 4; ++i)
+    {
+      mesh->GetPoint(ids->GetId(i), x[i]);
+      std::array<vtkIdType, 3> face{};
+      for (int j = 0; j < 3; ++j)
+      {
+        face[static_cast<std::size_t>(j)] = ids->GetId((i + 1 + j) % 4);
+      }
+      std::sort(face.begin(), face.end());
+      faces.push_back(face);
+    }
+    const double volume = vtkTetra::ComputeVolume(x[0], x[1], x[2], x[3]);
+    inverted += volume < -1e-12 ? 1 : 0;
+    sum += volume;
+  }
+  check.Equal(inverted, 0, "tetrahedra that are turned over");
+  std::sort(faces.begin(), faces.end());
+  vtkIdType tooMany = 0;
+  for (std::size_t i = 2; i < faces.size(); ++i)
+  {
+    tooMany += faces[i] == faces[i - 2] ? 1 : 0;
+  }
+  check.Equal(tooMany, 0, "faces of more than two");
+  return sum;
+}
+
+void TestVolumes(Check& check)
+{
+  const Vector along{ { 1.0, 0.0, 0.0 } };
+  const Vector oblique{ { 1.0, 0.3, 0.2 } };
+  const std::pair<Vector, double> ball{ { { -0.31, 0.02, -0.03 } }, 0.43 };
+  const std::pair<Vector, double> small{ { { 0.2, 0.35, 0.3 } }, 0.31 };
+  const std::pair<Vector, double> atEnd{ { { -1.0, 0.2, -0.9 } }, 0.43 };
+  const Case cases[] = {
+    { "along x, samples of the field", along, 33, { ball }, HiddenPoints, 0, 0, 33 },
+    { "oblique, a finer field", oblique, 65, { ball }, HiddenPoints, 0, 0, 33 },
+    { "oblique, samples of the field", oblique, 17, { ball } },
+    { "oblique, a field that fits no samples", oblique, 26, { ball } },
+    { "two obstacles", oblique, 33, { ball, small } },
+    { "an obstacle at the end of the field", oblique, 33, { atEnd } },
+    { "hidden cells", oblique, 33, { ball }, HiddenCells },
+    { "vectors that are no numbers", oblique, 33, { ball }, NotFinite },
+    { "structured grid", oblique, 17, { ball }, HiddenPoints, 1 },
+    { "structured grid with hidden cells", oblique, 17, { ball }, HiddenCells, 1 },
+    { "unstructured grid", oblique, 17, { ball }, HiddenPoints, 2 },
+    { "refined", oblique, 33, { ball }, HiddenPoints, 0, 1 },
+  };
+  for (const Case& one : cases)
+  {
+    check.SetContext(one.Name);
+    const auto samples = MakeSamples(one);
+    const double exact = MeasureLines(one);
+    vtkNew<vtkFlowVolume> volume;
+    volume->SetInputData(samples);
+    volume->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    volume->Update();
+    const double found = Measure(volume->GetOutput(), check);
+    samples->GetFieldData()->RemoveArray("BeyondSampleId");
+    samples->Modified();
+    volume->Update();
+    const double before = Measure(volume->GetOutput(), check);
+    std::cout << one.Name << ": " << exact << ", " << 100.0 * (before / exact - 1.0)
+              << " % before, " << 100.0 * (found / exact - 1.0) << " %\n";
+    check.Near(found, exact, one.Samples == 33 ? 0.005 : 0.03, "volume");
+    check.That(before < 0.97 * exact, "cells that would be missing");
+  }
+}
+
+/// Values in cut cells are those of the lines, as the field is linear, also with intervals. Next to
+/// the boundary they are off by the width of the bisection, a 64th of a cell, or a little more
+/// where the distances of a cell's corners do not fit all its edges.
+void TestValues(Check& check)
+{
+  check.SetContext("values");
+  const Case one{ "values", { { 1.0, 0.3, 0.2 } }, 31, { { { { -0.31, 0.02, -0.03 } }, 0.43 } } };
+  const auto samples = MakeSamples(one);
+  const auto mesh = Extract(samples);
+  check.That(mesh->GetNumberOfCells() > 1000, "tetrahedra");
+  Measure(mesh, check);
+  vtkPointData* data = mesh->GetPointData();
+  constexpr double cell = 2.0 / 16;
+  double largest[2] = { 0.0, 0.0 };
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    const double* x = mesh->GetPoint(p);
+    const double time = x[0] - Place;
+    const double inflow = x[1] - one.Direction[1] * time;
+    largest[0] =
+      std::max(largest[0], std::abs(data->GetArray("AdvectionTime")->GetComponent(p, 0) - time));
+    // On the plane values are those of a corner where streamlines leave the field.
+    if (time > 0.0)
+    {
+      largest[1] =
+        std::max(largest[1], std::abs(data->GetArray("Inflow")->GetComponent(p, 0) - inflow));
+    }
+  }
+  check.Near(largest[0], 0.0, cell / 64, "time", 1.0);
+  check.Near(largest[1], 0.0, 0.1 * cell, "inflow", 1.0);
+}
+
+/// Without an obstacle nothing is located, and nothing else is cut than before.
+void TestWithout(Check& check)
+{
+  check.SetContext("without an obstacle");
+  const auto samples = MakeSamples({ "", { { 1.0, 0.3, 0.2 } }, 31, {} });
+  double range[2];
+  samples->GetFieldData()->GetArray("BeyondSampleSurface")->GetRange(range);
+  check.That(range[0] >= -1, "no samples beside a boundary");
+}
+
+void TestThreads(Check& check)
+{
+  check.SetContext("threads");
+  CheckThreads(
+    "obstacle",
+    []()
+    {
+      auto copy = vtkSmartPointer<vtkUnstructuredGrid>::New();
+      copy->ShallowCopy(Extract(MakeSamples({ "", { { 1.0, 0.3, 0.2 } }, 15,
+        { { { { -0.31, 0.02, -0.03 } }, 0.43 } }, HiddenPoints, 0, 0, 12 })));
+      return std::vector<vtkSmartPointer<vtkUnstructuredGrid>>{ copy };
+    },
+    check);
+}
+
+}
+
+int TestFlowVolumeObstacles(int, char*[])
+{
+  Check check;
+  TestVolumes(check);
+  TestValues(check);
+  TestWithout(check);
+  TestThreads(check);
+  return check.Result();
+}
