@@ -16,9 +16,11 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkShadowedSliceMapper.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkTransform.h"
 #include "vtkVolumeProperty.h"
 
 #include <array>
@@ -52,33 +54,6 @@ vtkSmartPointer<vtkVolumeProperty> MakeProperty(FuzzRandom& random)
   return property;
 }
 
-/// Projects off axis, through a screen beside the data, for one eye or the other.
-void UseScreen(FuzzRandom& random, vtkCamera* camera, const double center[3], double length)
-{
-  const double left = center[0] - length * random.Between(0.3, 0.9);
-  const double low = center[1] - length * random.Between(0.3, 0.9);
-  camera->SetScreenBottomLeft(left, low, center[2]);
-  camera->SetScreenBottomRight(left + 1.2 * length, low, center[2]);
-  camera->SetScreenTopRight(left + 1.2 * length, low + 1.2 * length, center[2]);
-  camera->UseOffAxisProjectionOn();
-  camera->SetEyeSeparation(0.1 * length);
-  camera->SetLeftEye(random.Whole(0, 1));
-}
-
-/// Adds up to three planes through the data.
-void AddClippingPlanes(FuzzRandom& random, vtkAbstractMapper* mapper, vtkDataSet* data)
-{
-  const int count = random.Chance(0.2) ? random.Whole(1, 3) : 0;
-  for (int i = 0; i < count; ++i)
-  {
-    vtkNew<vtkPlane> plane;
-    plane->SetOrigin(data->GetCenter());
-    plane->SetNormal(
-      random.Between(-1.0, 1.0), random.Between(-1.0, 1.0), random.Pick<double>({ 0.0, 1.0 }));
-    mapper->AddClippingPlane(plane);
-  }
-}
-
 /// A camera that looks at the data, or along an axis, near, far, or from within.
 vtkSmartPointer<vtkCamera> MakeCamera(FuzzRandom& random, vtkDataSet* data)
 {
@@ -101,15 +76,65 @@ vtkSmartPointer<vtkCamera> MakeCamera(FuzzRandom& random, vtkDataSet* data)
   camera->SetParallelProjection(random.Chance(0.4));
   camera->SetParallelScale(0.6 * length);
   camera->SetClippingRange(1e-3 * length, distance + 10.0 * length);
-  if (random.Chance(0.15))
-  {
-    camera->SetViewShear(random.Between(-0.3, 0.3), random.Between(-0.3, 0.3), 1.0);
-  }
-  else if (random.Chance(0.15))
-  {
-    UseScreen(random, camera, center, length);
-  }
   return camera;
+}
+
+/// Makes the camera sheared, off-axis or one with user transforms. Returns the name.
+std::string DistortCamera(FuzzRandom& random, vtkCamera* camera)
+{
+  const double a = random.Between(-0.5, 0.5);
+  const double b = random.Between(-0.5, 0.5);
+  const double distance = camera->GetDistance();
+  double left[3] = { (a - 0.5) * distance, (b - 0.5) * distance, -distance };
+  double right[3] = { (a + 0.5) * distance, (b - 0.5) * distance, (a - 1.0) * distance };
+  double top[3] = { (a + 0.5) * distance, (b + 0.5) * distance, (a - 1.0) * distance };
+  vtkNew<vtkTransform> transform;
+  transform->RotateZ(90.0 * a);
+  transform->Scale(1.0, 1.0 + b, 1.0);
+  const int kind = random.Whole(0, 8);
+  switch (kind)
+  {
+    case 0:
+      camera->SetViewShear(a, b, random.Between(0.0, 2.0));
+      return "sheared";
+    case 1:
+      camera->UseOffAxisProjectionOn();
+      camera->SetScreenBottomLeft(left);
+      camera->SetScreenBottomRight(right);
+      camera->SetScreenTopRight(top);
+      return "off-axis";
+    case 2:
+      camera->SetUserTransform(transform);
+      return "user transform";
+    case 3:
+      camera->SetUserViewTransform(transform);
+      return "user view transform";
+    default:
+      return "plain";
+  }
+}
+
+/// Adds up to three clipping planes.
+void AddClippingPlanes(FuzzRandom& random, vtkDataSet* data, vtkPlaneCollection* planes)
+{
+  const int count = std::max(random.Whole(-2, 3), 0);
+  for (int i = 0; i < count; ++i)
+  {
+    vtkNew<vtkPlane> plane;
+    plane->SetNormal(random.Pick<double>({ 0.0, 1.0, random.Unit() }), random.Between(-1.0, 1.0),
+      random.Pick<double>({ 0.0, -1.0, random.Unit() }));
+    double point[3];
+    if (data->GetNumberOfPoints() > 0 && random.Chance(0.5))
+    {
+      data->GetPoint(random.Whole(0, static_cast<int>(data->GetNumberOfPoints()) - 1), point);
+    }
+    else
+    {
+      data->GetCenter(point);
+    }
+    plane->SetOrigin(point);
+    planes->AddItem(plane);
+  }
 }
 
 /// Channels are finite; alpha is of [0, 1].
@@ -182,10 +207,13 @@ void RunTetrahedra(FuzzRandom& random, std::string& text, reference::Check& chec
   // Without an order the two paths may take each its own.
   const int sort = random.Whole(0, 2);
   const int integration = random.Whole(0, 1);
-  vtkNew<vtkTimeWeightedTetrahedraMapper> planes;
-  AddClippingPlanes(random, planes, data.Data);
-  text =
-    data.Text + ", sort " + std::to_string(sort) + ", integration " + std::to_string(integration);
+  const std::string view = DistortCamera(random, camera);
+  const int stereo = random.Pick<int>({ 0, 0, VTK_STEREO_LEFT, VTK_STEREO_RIGHT });
+  vtkNew<vtkPlaneCollection> planes;
+  AddClippingPlanes(random, data.Data, planes);
+  text = data.Text + ", sort " + std::to_string(sort) + ", integration " +
+    std::to_string(integration) + ", " + view + " camera, stereo " + std::to_string(stereo) + ", " +
+    std::to_string(planes->GetNumberOfItems()) + " clipping planes";
   reference::RgbaPicture pictures[2];
   for (const int path : { vtkTimeWeightedTetrahedraMapper::SOFTWARE_PATH,
          vtkTimeWeightedTetrahedraMapper::OPENGL_PATH })
@@ -197,9 +225,16 @@ void RunTetrahedra(FuzzRandom& random, std::string& text, reference::Check& chec
     mapper->SetRenderPath(path);
     mapper->SetSortMode(sort);
     mapper->SetIntegrationMode(integration);
-    mapper->SetClippingPlanes(planes->GetClippingPlanes());
+    mapper->SetClippingPlanes(planes);
     stage.SetVolume(mapper, property);
     stage.SetCamera(camera);
+    if (stereo != 0)
+    {
+      stage.GetWindow()->SetStereoType(stereo);
+      stage.GetWindow()->StereoRenderOn();
+    }
+    // The camera is told of stereo when the window itself is drawn.
+    stage.Render();
     const bool isSoftware = path == vtkTimeWeightedTetrahedraMapper::SOFTWARE_PATH;
     pictures[isSoftware ? 0 : 1] = stage.Capture();
     CheckPicture(pictures[isSoftware ? 0 : 1], isSoftware ? "software" : "OpenGL", check);
@@ -227,11 +262,15 @@ void RunShadows(FuzzRandom& random, std::string& text, reference::Check& check)
   mapper->SetSoftShadowMethod(method);
   mapper->SetMultipleScattering(scattering);
   mapper->SetCropping(random.Chance(0.2));
-  AddClippingPlanes(random, mapper, data.Data);
+  vtkNew<vtkPlaneCollection> planes;
+  AddClippingPlanes(random, data.Data, planes);
+  mapper->SetClippingPlanes(planes);
   // Voxels a million times as long as wide have 65,536 slices, which take minutes.
   mapper->SetSliceSpacing(data.IsTame ? 0.0 : std::max(data.Data->GetLength() / 64.0, 0.0));
   stage.SetVolume(mapper, property);
-  stage.SetCamera(MakeCamera(random, data.Data));
+  const auto camera = MakeCamera(random, data.Data);
+  text += ", " + DistortCamera(random, camera) + " camera";
+  stage.SetCamera(camera);
   stage.SetLights(lights);
   const reference::RgbaPicture first = stage.Capture();
   CheckPicture(first, "shadows", check);
