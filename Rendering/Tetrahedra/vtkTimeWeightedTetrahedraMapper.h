@@ -84,9 +84,8 @@ struct TetrahedraArrays;
  * to be laid over each other in order: graphics cards are faster at that.
  *
  * Errors (vtkErrorMacro, nothing drawn): cells that are no tetrahedra, missing scalars, an array
- * for Dt or layers that is named and missing, a wrong number of components, a clipping plane without
- * a normal. Tetrahedra with NaN or
- * infinity are left out and counted in GetReport().
+ * for Dt or layers that is named and missing, a wrong number of components, a clipping plane
+ * without a normal. Tetrahedra with NaN or infinity are left out and counted in GetReport().
  */
 class INTERLUMETETRAHEDRA_EXPORT vtkTimeWeightedTetrahedraMapper
   : public vtkUnstructuredGridVolumeMapper

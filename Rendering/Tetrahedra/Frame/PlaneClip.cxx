@@ -93,7 +93,7 @@ void PlaneClip::FindPlanes(const TetrahedraMesh& mesh, const std::vector<Plane>&
 
 void PlaneClip::Classify(const TetrahedraMesh& mesh)
 {
-  // Planes without a bit of their own set the last one, which drops nothing.
+  // All further planes share the last bit, by which no tetrahedron is dropped.
   std::vector<std::uint32_t> outside(this->Points);
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Points),
     [&](vtkIdType first, vtkIdType last)
@@ -188,7 +188,7 @@ void PlaneClip::Cut(TetrahedraMesh& mesh, TetrahedraFields& fields, const Viewpo
 std::vector<PlaneClip::Part> PlaneClip::Split(TetrahedraMesh& mesh, TetrahedraFields& fields,
   const Part& part, const std::array<double, 4>& distances)
 {
-  // Corners on the plane come first, those beyond it last.
+  // Sort the corners: on the plane, inside, outside.
   std::array<int, 4> k{ { 0, 1, 2, 3 } };
   const auto side = [&distances](int corner) {
     return distances[corner] > ON_PLANE ? 1 : distances[corner] < -ON_PLANE ? 2 : 0;
@@ -240,8 +240,8 @@ std::vector<PlaneClip::Part> PlaneClip::Split(TetrahedraMesh& mesh, TetrahedraFi
 void PlaneClip::Sort(const TetrahedraMesh& mesh, const Viewpoint& view,
   const std::vector<Part>& parts, const std::vector<Range>& ranges)
 {
-  // Each part goes before the one ahead of it where the eye is beyond the face they share. A view
-  // ray that meets the first and the third passes the second between them.
+  // If the eye is on the far side of the face that two successive parts share, they are swapped. A
+  // view ray through the first and the third part passes the second between them.
   std::vector<std::size_t> order{ 0 };
   for (std::size_t i = 1; i < parts.size(); ++i)
   {

@@ -21,16 +21,16 @@ namespace interlume
  * @class   PlaneClip
  * @brief   cuts tetrahedra at the near plane and at clipping planes
  *
- * What a plane leaves of a tetrahedron is one tetrahedron or three, which the next plane cuts in
- * turn. These parts and their points are appended to the mesh and its fields. In the order they
- * take the place of the whole tetrahedron, front to back among themselves. The numbers of appended
- * points and parts do not depend on the view, so a view that moves while the planes stay needs no
- * upload but the order's. Planes outside the mesh's bounding box cost nothing more than that test.
+ * The rest of a tetrahedron beyond a plane is one tetrahedron or three, which the next plane cuts
+ * in turn. These parts and their points are appended to the mesh and its fields. They replace the
+ * tetrahedron in the order, sorted front to back. The appended data do not depend on the view, so
+ * if the view moves and the planes do not, only the order is uploaded. Planes outside the mesh's
+ * bounding box cost only the test of the box.
  */
 class PlaneClip
 {
 public:
-  /// Points p with dot(plane, (p, 1)) >= 0 are kept. The normal is of unit length.
+  /// A plane with a normal of unit length. Points p with dot(plane, (p, 1)) < 0 are cut off.
   using Plane = glm::dvec4;
 
   /**
@@ -46,7 +46,7 @@ public:
   void Remove(TetrahedraMesh& mesh, TetrahedraFields& fields);
 
   bool IsActive() const { return !this->Planes.empty(); }
-  /// Returns the planes that have points of the mesh on their other side.
+  /// Returns the planes that cut off points of the mesh.
   const std::vector<Plane>& GetPlanes() const { return this->Planes; }
   const std::vector<std::uint32_t>& GetOrder() const { return this->Order; }
   vtkIdType GetNumberClipped() const { return this->NumberClipped; }
@@ -80,11 +80,11 @@ private:
   /// mesh and to Parts, front to back unless \a view is null.
   void Cut(TetrahedraMesh& mesh, TetrahedraFields& fields, const Viewpoint* view,
     std::uint32_t tetrahedron, const Part& part, std::size_t plane);
-  /// Appends the points in which a plane at these distances cuts a part. Returns what is left of
-  /// it: up to three parts, each of which has the last three corners of the one ahead.
+  /// Cuts a part by a plane at these distances from its corners, and appends the points of the cut.
+  /// Returns up to three parts; each starts with the last three corners of the previous one.
   static std::vector<Part> Split(TetrahedraMesh& mesh, TetrahedraFields& fields, const Part& part,
     const std::array<double, 4>& distances);
-  /// Sorts the ranges that were made of such parts, the last of Parts, front to back.
+  /// Sorts the last ranges of Parts, one for each part from Split(), front to back.
   void Sort(const TetrahedraMesh& mesh, const Viewpoint& view, const std::vector<Part>& parts,
     const std::vector<Range>& ranges);
   void AppendPart(

@@ -29,9 +29,10 @@ namespace interlume
  * parallel. Lengths are in units of the mesh's coordinates as they appear in the world, GetUnit()
  * long.
  *
- * The eye is the point where all view rays meet, and the axes are chosen by the matrix from world
- * to clip coordinates alone: stereo, view shear, off-axis projection and the camera's user
- * transforms move the eye or stretch the space between, and neither may change lengths.
+ * The eye is the point where all view rays meet. Eye and axes are computed from the matrix from
+ * world to clip coordinates only, since stereo, view shear, off-axis projection and the camera's
+ * user transforms move the eye or scale view coordinates. Eye coordinates preserve lengths in the
+ * world.
  */
 class TetrahedraView
 {
