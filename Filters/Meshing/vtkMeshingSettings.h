@@ -21,6 +21,7 @@ struct vtkMeshingSettings
   int MaximumNumberOfAddedPoints = 2000000;
   bool PreserveBoundary = false;
   bool FillNestedShells = false;
+  bool SplitContacts = true;
   double TimeLimit = 600.0;
   std::string WorkerFileName;
 };

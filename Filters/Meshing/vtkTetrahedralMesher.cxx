@@ -27,6 +27,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 
 vtkStandardNewMacro(vtkTetrahedralMesher);
@@ -47,8 +48,8 @@ void Measure(const interlume::MeshingJob& job, vtkTetrahedralMesherReport& repor
   report.TetrahedraAboveQualityBound = measures.AboveQualityBound;
   report.TetrahedraAboveMaximumVolume = measures.AboveMaximumVolume;
   report.LargestRadiusEdgeRatio = measures.LargestRadiusEdgeRatio;
-  report.SmallestVolume = measures.SmallestVolume;
-  report.LargestVolume = measures.LargestVolume;
+  report.SmallestVolume = std::ldexp(measures.SmallestVolume, 3 * job.Mesh.UnitExponent);
+  report.LargestVolume = std::ldexp(measures.LargestVolume, 3 * job.Mesh.UnitExponent);
 }
 }
 
@@ -161,8 +162,9 @@ void vtkTetrahedralMesher::TakeOutput(interlume::MeshingJob& job, vtkUnstructure
   vtkNew<vtkPoints> points;
   points->SetDataType(VTK_DOUBLE);
   points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.Origins.size()));
-  std::copy(mesh.Points.begin(), mesh.Points.end(),
-    vtkDoubleArray::SafeDownCast(points->GetData())->GetPointer(0));
+  double* coordinates = vtkDoubleArray::SafeDownCast(points->GetData())->GetPointer(0);
+  std::transform(mesh.Points.begin(), mesh.Points.end(), coordinates,
+    [&mesh](double x) { return std::ldexp(x, mesh.UnitExponent); });
   grid->SetPoints(points);
   vtkNew<vtkIdTypeArray> offsets;
   offsets->SetNumberOfValues(tetrahedra + 1);
@@ -259,6 +261,7 @@ void vtkTetrahedralMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumNumberOfAddedPoints: " << this->MaximumNumberOfAddedPoints << "\n";
   os << indent << "PreserveBoundary: " << this->PreserveBoundary << "\n";
   os << indent << "FillNestedShells: " << this->FillNestedShells << "\n";
+  os << indent << "SplitContacts: " << this->SplitContacts << "\n";
   os << indent << "TimeLimit: " << this->TimeLimit << "\n";
   os << indent << "WorkerFileName: " << this->WorkerFileName << "\n";
   os << indent << "WarnOnEmptyOutput: " << this->WarnOnEmptyOutput << "\n";

@@ -31,8 +31,8 @@ struct MeshingJob;
  * counted in GetReport().
  * - Polygons, and no such cells (vtkPolyData; triangles, quads, polygons, pixels and strips): the
  *   space within the closed surface is filled. Several shells may lie beside and within each other;
- *   see FillNestedShells. Points in exactly the same place count as one. Vertices and lines are not
- *   used.
+ *   see FillNestedShells, and touch, see SplitContacts. Points in the same place count as one.
+ * Vertices and lines are not used.
  * - Points alone (any vtkPointSet without polygons): the Delaunay tetrahedra of their convex hull.
  *   With a bound set, this mesh is refined.
  *
@@ -105,8 +105,10 @@ public:
   ///@{
   /**
    * The largest volume of a tetrahedron, in cubes of the unit of length, for surfaces and point
-   * sets; 0 for none. Without QualityBound TetGen keeps to a bound of 2 while it refines. Default
-   * 0; valid 0 and more.
+   * sets; 0 for none. Without QualityBound TetGen keeps to a bound of 2 while it refines. The bound
+   * is held: what TetGen leaves above it is bisected at longest edges, until
+   * MaximumNumberOfAddedPoints. It may be as small as the model requires: the mesh does not depend
+   * on the unit of length. Default 0; valid 0 and more.
    */
   vtkSetClampMacro(MaximumVolume, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumVolume, double);
@@ -139,11 +141,25 @@ public:
    * shell within that a solid again, and so on; the orientation of the polygons does not matter.
    * On: everything within is filled. In both cases each region between the shells has its own
    * `RegionId`, counted from 0 in the order of the first input cell that bounds the region, of two
-   * with the same cell the outer one first. Default off.
+   * with the same cell the outer one first. A wall that two parts share belongs to both, and counts
+   * as a cell of the later one: a part between others is no cavity. Default off.
    */
   vtkSetMacro(FillNestedShells, bool);
   vtkGetMacro(FillNestedShells, bool);
   vtkBooleanMacro(FillNestedShells, bool);
+  ///@}
+
+  ///@{
+  /**
+   * If true, triangles of a surface are split where they touch others without common points or
+   * edges: parts that stand on each other, cross along edges or share a wall with other diagonals.
+   * The parts then share points and triangles there, and each keeps its region. Touching is meant
+   * within the rounding of the coordinates. GetReport() has the number of triangles that were
+   * split. If false, such a contact is an error that names the two cells. Default on.
+   */
+  vtkSetMacro(SplitContacts, bool);
+  vtkGetMacro(SplitContacts, bool);
+  vtkBooleanMacro(SplitContacts, bool);
   ///@}
 
   ///@{

@@ -30,6 +30,9 @@ struct INTERLUMEMESHING_EXPORT vtkTetrahedralMesherReport
   vtkIdType UnsupportedCells = 0;
   /// The number of triangles of the input surface.
   vtkIdType SurfaceTriangles = 0;
+  /// The number of triangles of the input surface that were split because they touch others, see
+  /// SplitContacts.
+  vtkIdType SplitTriangles = 0;
   /// The number of points of a surface or point set left out because another one is in the same
   /// place.
   vtkIdType MergedPoints = 0;

@@ -4,6 +4,7 @@
 #include "Reference/Meshes/ReferenceMeshing.h"
 
 #include "vtkCommand.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
@@ -11,7 +12,9 @@
 #include "vtkTetrahedralMesher.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <cmath>
 #include <iostream>
+#include <random>
 
 namespace
 {
@@ -105,6 +108,125 @@ void CheckNeedles(Check& check)
     Inspect(mesher->GetOutput()).Volume, EnclosedVolume(sphere->GetOutput()), 1e-12, "volume");
 }
 
+/// A geodesic sphere whose points are moved at random along the radius, by up to \a noise.
+vtkSmartPointer<vtkPolyData> MakeRoughSphere(double noise)
+{
+  auto surface = MakeGeodesic(2);
+  std::mt19937 random(2);
+  for (vtkIdType p = 0; p < surface->GetNumberOfPoints(); ++p)
+  {
+    double x[3];
+    surface->GetPoint(p, x);
+    vtkMath::MultiplyScalar(x, 1.0 + noise * (2.0 * random() / 4294967295.0 - 1.0));
+    surface->GetPoints()->SetPoint(p, x);
+  }
+  return surface;
+}
+
+vtkSmartPointer<vtkPolyData> MakeRandomPoints(int number)
+{
+  auto data = MakeBoxes();
+  std::mt19937 random(2);
+  for (int p = 0; p < number; ++p)
+  {
+    const double x = random() / 4294967296.0;
+    const double y = random() / 4294967296.0;
+    data->GetPoints()->InsertNextPoint(x, y, random() / 4294967296.0);
+  }
+  return data;
+}
+
+/// TetGen itself, called once with the facets and all bounds, exceeds the volume here by a third at
+/// most. Angles in the input forbid a quality bound.
+void CheckRough(Check& check)
+{
+  const auto rough = MakeRoughSphere(0.4);
+  const auto points = MakeRandomPoints(1000);
+  for (vtkPolyData* input : { rough.Get(), points.Get() })
+  {
+    for (double quality : { 0.0, 1.4 })
+    {
+      for (double bound : { 4e-3, 2e-4 })
+      {
+        vtkNew<vtkTest::ErrorObserver> observer;
+        vtkNew<vtkTetrahedralMesher> mesher;
+        mesher->AddObserver(vtkCommand::WarningEvent, observer);
+        mesher->SetInputData(input);
+        mesher->SetQualityBound(quality);
+        mesher->SetMaximumVolume(bound);
+        mesher->Update();
+        const TetrahedraReport report = Inspect(mesher->GetOutput());
+        const vtkTetrahedralMesherReport& told = mesher->GetReport();
+        check.Equal(report.NotPositive + report.FacesTooOften + report.FacesTurned, 0, "a mesh");
+        check.That(report.LargestVolume <= bound * (1 + 1e-9),
+          "the maximum volume is held: " + std::to_string(report.LargestVolume / bound));
+        check.That(
+          report.Tetrahedra < 100000, "few tetrahedra: " + std::to_string(report.Tetrahedra));
+        check.Near(report.Volume, report.BoundaryVolume, 1e-12, "volume");
+        check.That(told.SmallestVolume > 1e-15, "no tetrahedron is tiny");
+        check.Equal(observer->GetWarning(), told.TetrahedraAboveQualityBound > 0,
+          "a warning of the quality bound");
+      }
+    }
+  }
+}
+
+/// A model of any size has the same mesh, bit for bit where the scale is a power of two.
+void CheckScales(Check& check)
+{
+  const auto surface = MakeRoughSphere(0.2);
+  vtkNew<vtkTetrahedralMesher> mesher;
+  const auto mesh = [&](double scale)
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataType(VTK_DOUBLE);
+    for (vtkIdType p = 0; p < surface->GetNumberOfPoints(); ++p)
+    {
+      double x[3];
+      surface->GetPoint(p, x);
+      vtkMath::MultiplyScalar(x, scale);
+      points->InsertNextPoint(x);
+    }
+    vtkNew<vtkPolyData> scaled;
+    scaled->SetPoints(points);
+    scaled->SetPolys(surface->GetPolys());
+    mesher->SetInputData(scaled);
+    mesher->SetQualityBound(1.4);
+    mesher->SetMaximumVolume(4e-3 * scale * scale * scale);
+    mesher->Update();
+    auto output = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    output->ShallowCopy(mesher->GetOutput());
+    return output;
+  };
+  const auto one = mesh(1.0);
+  check.That(one->GetNumberOfCells() > 5000, "a mesh of size 1");
+  for (double scale : { std::ldexp(1.0, -300), std::ldexp(1.0, 300), 1e-6, 1e6 })
+  {
+    check.SetContext("scale " + std::to_string(std::log10(scale)));
+    const auto other = mesh(scale);
+    const double cube = scale * scale * scale;
+    check.Near(mesher->GetReport().LargestVolume / cube, Inspect(one).LargestVolume, 0.1,
+      "the volume that is reported");
+    check.That(mesher->GetReport().LargestVolume <= 4e-3 * cube * (1 + 1e-9), "the bound is held");
+    // Rounding of the input turns some decisions of TetGen.
+    const bool isExact = scale < 1e-30 || scale > 1e30;
+    check.Near(static_cast<double>(other->GetNumberOfCells()),
+      static_cast<double>(one->GetNumberOfCells()), isExact ? 0.0 : 0.02, "tetrahedra");
+    double largest = 0.0;
+    for (vtkIdType p = 0;
+         isExact && p < std::min(one->GetNumberOfPoints(), other->GetNumberOfPoints()); ++p)
+    {
+      double x[3];
+      double y[3];
+      one->GetPoint(p, x);
+      other->GetPoint(p, y);
+      vtkMath::MultiplyScalar(y, 1.0 / scale);
+      largest = std::max(largest, std::sqrt(vtkMath::Distance2BetweenPoints(x, y)));
+    }
+    check.Near(largest, 0.0, 0.0, "points");
+  }
+}
+
 void CheckLimits(vtkPolyData* surface, Check& check)
 {
   vtkNew<vtkTest::ErrorObserver> observer;
@@ -161,6 +283,9 @@ int TestTetrahedralMesherBounds(int, char*[])
   CheckPreserved(torus, torus->GetNumberOfCells(), check);
   check.SetContext("needles at the poles");
   CheckNeedles(check);
+  check.SetContext("rough surface and points");
+  CheckRough(check);
+  CheckScales(check);
   check.SetContext("limit of new points");
   CheckLimits(box, check);
   check.SetContext("values");

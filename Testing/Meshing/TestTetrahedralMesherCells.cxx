@@ -14,14 +14,19 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkGenericCell.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkTetrahedralMesher.h"
+#include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
+#include <random>
 #include <string>
 
 namespace
@@ -103,19 +108,83 @@ void CheckConcave(Check& check)
   }
 }
 
-/// With global ids the cut of a face follows them, not the point ids.
+/// Returns whether two points are those of an edge of \a mesh.
+bool HasEdge(vtkUnstructuredGrid* mesh, vtkIdType a, vtkIdType b)
+{
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType t = 0; t < mesh->GetNumberOfCells(); ++t)
+  {
+    mesh->GetCellPoints(t, ids);
+    if (ids->IsId(a) >= 0 && ids->IsId(b) >= 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The diagonal of each face starts at the point of the least global id, not of the least point id.
 void CheckGlobalIds(Check& check)
 {
-  check.SetContext("global ids");
-  auto mesh = MakeConcaveMesh({ 2, 2, 2 }, 0.1);
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("ids");
-  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  const int faces[6][4] = { { 0, 1, 2, 3 }, { 4, 5, 6, 7 }, { 0, 1, 5, 4 }, { 1, 2, 6, 5 },
+    { 2, 3, 7, 6 }, { 3, 0, 4, 7 } };
+  std::array<vtkIdType, 8> order = { 7, 5, 3, 1, 6, 4, 2, 0 };
+  for (unsigned int seed = 1; seed <= 8; ++seed)
   {
-    ids->InsertNextValue(1000 - 7 * p);
+    check.SetContext("global ids " + std::to_string(seed));
+    MeshBuilder builder;
+    for (int i = 0; i < 8; ++i)
+    {
+      builder.AddPoint(i % 4 == 1 || i % 4 == 2, i % 4 > 1, i / 4);
+    }
+    builder.AddCell(VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 });
+    auto mesh = builder.GetMesh();
+    vtkNew<vtkIdTypeArray> ids;
+    ids->SetName("ids");
+    for (vtkIdType id : order)
+    {
+      ids->InsertNextValue(1000 + 7 * id);
+    }
+    mesh->GetPointData()->SetGlobalIds(ids);
+    CheckMesh(mesh, 1.0L, check);
+    vtkNew<vtkTetrahedralMesher> mesher;
+    mesher->SetInputData(mesh);
+    mesher->Update();
+    for (const auto& face : faces)
+    {
+      const int least = static_cast<int>(
+        std::min_element(face, face + 4, [&](int a, int b) { return order[a] < order[b]; }) - face);
+      check.That(HasEdge(mesher->GetOutput(), face[least], face[(least + 2) % 4]),
+        "the least id's diagonal");
+      check.That(!HasEdge(mesher->GetOutput(), face[(least + 1) % 4], face[(least + 3) % 4]),
+        "the other diagonal is none");
+    }
+    std::shuffle(order.begin(), order.end(), std::mt19937(seed));
   }
-  mesh->GetPointData()->SetGlobalIds(ids);
-  CheckMesh(mesh, 32.0L, check);
+}
+
+/// Hidden and duplicate cells are left out and counted; other marks do not count.
+void CheckGhosts(Check& check)
+{
+  check.SetContext("ghosts");
+  auto mesh = MakeMesh(MeshKind::Hexahedra, { 2, 2, 1 });
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (unsigned char mark : { 0, static_cast<int>(vtkDataSetAttributes::HIDDENCELL),
+         static_cast<int>(vtkDataSetAttributes::DUPLICATECELL),
+         static_cast<int>(vtkDataSetAttributes::HIGHCONNECTIVITYCELL) })
+  {
+    ghosts->InsertNextValue(mark);
+  }
+  const long double whole = MeshVolume(mesh);
+  mesh->GetCellData()->AddArray(ghosts);
+  vtkNew<vtkTetrahedralMesher> mesher;
+  mesher->SetInputData(mesh);
+  mesher->Update();
+  check.Equal(mesher->GetReport().Cells, 2, "cells decomposed");
+  check.Equal(mesher->GetReport().CellsLeftOut, 2, "cells left out");
+  check.Near(Inspect(mesher->GetOutput()).Volume, whole / 2, 1e-12, "volume of the others");
+  check.Equal(mesher->GetOutput()->GetNumberOfCells(), 12, "tetrahedra");
 }
 
 /// Two blocks with orders of their own cut the faces between them alike by ids of any type.
@@ -290,6 +359,7 @@ int TestTetrahedralMesherCells(int, char*[])
   CheckConcave(check);
   CheckGlobalIds(check);
   CheckBlocks(check);
+  CheckGhosts(check);
   CheckSingle(check);
   CheckArrays(check);
   CheckTooFew(check);

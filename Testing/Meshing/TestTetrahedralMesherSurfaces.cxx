@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Closed surfaces: the tetrahedra fill the space within, to rounding, shells within shells too.
 #include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceField.h"
 #include "Reference/Meshes/ReferenceMeshing.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCommand.h"
 #include "vtkCubeSource.h"
 #include "vtkDataArray.h"
 #include "vtkMath.h"
@@ -12,10 +14,13 @@
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
 #include "vtkStripper.h"
+#include "vtkTestErrorObserver.h"
 #include "vtkTetrahedralMesher.h"
+#include "vtkTransform.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <map>
+#include <numeric>
 
 namespace
 {
@@ -170,6 +175,160 @@ void CheckWalls(Check& check)
   CheckVolume(mesh, 3.0L, check);
 }
 
+using Corner = std::array<double, 3>;
+
+/// Boxes that touch: their volumes and contacts.
+struct Contact
+{
+  const char* Name;
+  std::vector<std::array<Corner, 2>> Boxes;
+  vtkIdType SplitTriangles;
+  vtkIdType AddedPoints;
+};
+
+/// Turns \a surface, so that no coordinate is exact and planes of two parts differ by rounding.
+void Turn(vtkPolyData* surface)
+{
+  vtkNew<vtkTransform> transform;
+  transform->Translate(0.1, 0.2, 0.3);
+  transform->RotateWXYZ(33.0, 1.0, 2.0, 3.0);
+  vtkNew<vtkPoints> points;
+  points->SetDataType(VTK_DOUBLE);
+  transform->TransformPoints(surface->GetPoints(), points);
+  surface->SetPoints(points);
+}
+
+/// Parts that touch other than in common points and edges are split there, and each keeps its
+/// region and its volume.
+void CheckContacts(Check& check)
+{
+  std::vector<std::array<Corner, 2>> blocks;
+  for (int i = 0; i < 27; ++i)
+  {
+    const Corner low{ { 1.0 * (i % 3), 1.0 * (i / 3 % 3), 1.0 * (i / 9) } };
+    blocks.push_back({ { low, { { low[0] + 1, low[1] + 1, low[2] + 1 } } } });
+  }
+  const Contact contacts[] = {
+    { "a cube on a face",
+      { { { { 0, 0, 0 }, { 1, 1, 1 } } }, { { { .25, .25, 1 }, { .75, .75, 2 } } } }, 4, 0 },
+    { "faces that overlap",
+      { { { { 0, 0, 0 }, { 1, 1, 1 } } }, { { { .3, .4, 1 }, { 1.3, 1.4, 2 } } } }, 8, 4 },
+    { "faces that cross", { { { { 0, 0, 0 }, { 3, 1, 1 } } }, { { { 1, -1, 1 }, { 2, 2, 2 } } } },
+      8, 9 },
+    { "half a side", { { { { 0, 0, 0 }, { 1, 1, 1 } } }, { { { 1, 0, 0 }, { 2, .5, 1 } } } }, 7,
+      1 },
+    { "a part of an edge",
+      { { { { 0, 0, 0 }, { 1, 1, 1 } } }, { { { 1, 1, .5 }, { 2, 2, 1.5 } } } }, 4, 0 },
+    { "three along an edge",
+      { { { { 0, 0, 0 }, { 1, 1, 1 } } }, { { { 1, 0, 0 }, { 2, 1, .7 } } },
+        { { { 0, 0, 1 }, { 2, 1, 2 } } } },
+      13, 2 },
+    { "a block between others", blocks, 0, 0 },
+    { "rounding",
+      { { { { 0, 0, 0 }, { .3, .3, .3 } } }, { { { .05, .05, .1 + .2 }, { .2, .2, .5 } } } }, 4,
+      0 },
+  };
+  for (const Contact& contact : contacts)
+  {
+    for (bool isTurned : { false, true })
+    {
+      check.SetContext(contact.Name + std::string(isTurned ? ", turned" : ""));
+      auto surface = MakeBoxes();
+      std::vector<double> volumes;
+      for (const auto& box : contact.Boxes)
+      {
+        AppendBox(surface, box[0], box[1]);
+        volumes.push_back(
+          (box[1][0] - box[0][0]) * (box[1][1] - box[0][1]) * (box[1][2] - box[0][2]));
+      }
+      if (isTurned)
+      {
+        Turn(surface);
+      }
+      AddLinearField(surface, { 0.5, { 1.0, -2.0, 3.0 } });
+      vtkNew<vtkTetrahedralMesher> mesher;
+      mesher->SetInputData(surface);
+      mesher->Update();
+      CheckRegions(mesher->GetOutput(), volumes, check);
+      CheckVolume(mesher->GetOutput(), std::accumulate(volumes.begin(), volumes.end(), 0.0), check);
+      check.That(LinearError(mesher->GetOutput(), "f", { 0.5, { 1.0, -2.0, 3.0 } }) < 1e-12,
+        "a linear field is reproduced");
+      if (!isTurned)
+      {
+        check.Equal(mesher->GetReport().SplitTriangles, contact.SplitTriangles, "triangles split");
+        check.Equal(mesher->GetReport().AddedPoints, contact.AddedPoints, "points added");
+      }
+    }
+  }
+}
+
+/// One point of a pyramid, or one of its edges, is on the top of a cube.
+void CheckPointContacts(Check& check)
+{
+  for (bool isEdge : { false, true })
+  {
+    check.SetContext(isEdge ? "an edge on a face" : "a point on a face");
+    auto surface = MakeBoxes();
+    AppendBox(surface, { 0, 0, 0 }, { 1, 1, 1 });
+    vtkPoints* points = surface->GetPoints();
+    const vtkIdType a = points->InsertNextPoint(0.2, 0.3, 1);
+    const vtkIdType b = points->InsertNextPoint(0.8, 0.6, isEdge ? 1 : 2);
+    const vtkIdType c = points->InsertNextPoint(0.2, 0.6, 2);
+    const vtkIdType d = points->InsertNextPoint(0.9, 0.2, 2);
+    surface->GetPolys()->InsertNextCell({ a, b, c });
+    surface->GetPolys()->InsertNextCell({ a, d, b });
+    surface->GetPolys()->InsertNextCell({ a, c, d });
+    surface->GetPolys()->InsertNextCell({ b, d, c });
+    const double volume = isEdge ? 0.075 : 0.04;
+    CheckRegions(MeshOf(surface), { 1, volume }, check);
+    CheckVolume(MeshOf(surface), 1 + volume, check);
+  }
+}
+
+/// A wall of triangles with one diagonal meets one with the other diagonal.
+void CheckDiagonals(Check& check)
+{
+  check.SetContext("a wall with other diagonals");
+  auto surface = MakeBoxes();
+  AppendBox(surface, { 0, 0, 0 }, { 1, 1, 1 });
+  AppendBox(surface, { 1, 0, 0 }, { 2, 1, 1 });
+  vtkNew<vtkCellArray> triangles;
+  for (vtkIdType cell = 0; cell < 12; ++cell)
+  {
+    vtkNew<vtkIdList> quad;
+    surface->GetCellPoints(cell, quad);
+    const vtkIdType* p = quad->GetPointer(0);
+    const int turn = cell == 4 || cell == 11;
+    triangles->InsertNextCell({ p[turn], p[turn + 1], p[turn + 2] });
+    triangles->InsertNextCell({ p[turn], p[turn + 2], p[(turn + 3) % 4] });
+  }
+  surface->SetPolys(triangles);
+  vtkNew<vtkTetrahedralMesher> mesher;
+  mesher->SetInputData(surface);
+  mesher->Update();
+  CheckRegions(mesher->GetOutput(), { 1, 1 }, check);
+  CheckVolume(mesher->GetOutput(), 2.0L, check);
+}
+
+/// Without SplitContacts an error names the cells: the top of the first cube and the bottom of the
+/// second one.
+void CheckContactError(Check& check)
+{
+  check.SetContext("SplitContacts off");
+  auto surface = MakeBoxes();
+  AppendBox(surface, { 0, 0, 0 }, { 1, 1, 1 });
+  AppendBox(surface, { 0.25, 0.25, 1 }, { 0.75, 0.75, 2 });
+  vtkNew<vtkTest::ErrorObserver> observer;
+  vtkNew<vtkTetrahedralMesher> mesher;
+  mesher->AddObserver(vtkCommand::ErrorEvent, observer);
+  mesher->SetInputData(surface);
+  mesher->SplitContactsOff();
+  mesher->Update();
+  check.That(observer->GetErrorMessage().find("Cells 1 and 6 touch") != std::string::npos,
+    "the cells are named: " + observer->GetErrorMessage());
+  check.Equal(mesher->GetOutput()->GetNumberOfCells(), 0, "cells");
+}
+
 void CheckPlanarGrid(Check& check)
 {
   check.SetContext("triangles in an unstructured grid");
@@ -190,6 +349,10 @@ int TestTetrahedralMesherSurfaces(int, char*[])
   CheckConcavePolygons(check);
   CheckShells(check);
   CheckWalls(check);
+  CheckContacts(check);
+  CheckPointContacts(check);
+  CheckDiagonals(check);
+  CheckContactError(check);
   CheckPlanarGrid(check);
   return check.Result();
 }

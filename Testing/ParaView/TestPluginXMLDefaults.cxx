@@ -375,6 +375,7 @@ int main(int argc, char* argv[])
       { "MaximumNumberOfAddedPoints", Text(mesher->GetMaximumNumberOfAddedPoints()) },
       { "PreserveBoundary", Text(mesher->GetPreserveBoundary()) },
       { "FillNestedShells", Text(mesher->GetFillNestedShells()) },
+      { "SplitContacts", Text(mesher->GetSplitContacts()) },
       { "TimeLimit", Text(mesher->GetTimeLimit()) } });
 #endif
 

@@ -12,13 +12,36 @@
 namespace interlume
 {
 
+namespace
+{
+struct Place
+{
+  std::array<double, 3> X;
+  vtkIdType Id;
+};
+
+/// Returns the power of two above the largest extent of the points, 0 if they have none.
+int FindUnit(const std::vector<Place>& places)
+{
+  double largest = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto ends = std::minmax_element(places.begin(), places.end(),
+      [axis](const Place& a, const Place& b) { return a.X[axis] < b.X[axis]; });
+    if (ends.first != places.end())
+    {
+      // Halves, whose difference does not overflow.
+      largest = std::max(largest, ends.second->X[axis] / 2 - ends.first->X[axis] / 2);
+    }
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return largest > 0.0 ? exponent + 1 : 0;
+}
+}
+
 std::string DistinctPoints::Take(vtkDataSet* input, const std::vector<bool>& isUsed)
 {
-  struct Place
-  {
-    std::array<double, 3> X;
-    vtkIdType Id;
-  };
   std::vector<Place> places;
   const vtkIdType number = input->GetNumberOfPoints();
   for (vtkIdType p = 0; p < number; ++p)
@@ -42,6 +65,7 @@ std::string DistinctPoints::Take(vtkDataSet* input, const std::vector<bool>& isU
   {
     return std::to_string(places.size()) + " points are more than TetGen can number.";
   }
+  this->UnitExponent = FindUnit(places);
   std::sort(places.begin(), places.end(),
     [](const Place& a, const Place& b) { return a.X < b.X || (a.X == b.X && a.Id < b.Id); });
   std::vector<vtkIdType> first(number, -1);
@@ -60,7 +84,10 @@ std::string DistinctPoints::Take(vtkDataSet* input, const std::vector<bool>& isU
       this->SourceIds.push_back(p);
       std::array<double, 3> x;
       input->GetPoint(p, x.data());
-      this->Coordinates.insert(this->Coordinates.end(), x.begin(), x.end());
+      for (double coordinate : x)
+      {
+        this->Coordinates.push_back(std::ldexp(coordinate, -this->UnitExponent));
+      }
     }
     else if (first[p] >= 0)
     {

@@ -28,10 +28,11 @@ public:
    */
   std::string Take(vtkDataSet* input, const std::vector<bool>& isUsed);
 
-  std::vector<double> Coordinates;  ///< three a distinct point
+  std::vector<double> Coordinates;  ///< three a distinct point, in the unit below
   std::vector<vtkIdType> SourceIds; ///< the input point of each distinct point
   std::vector<int> Indices;         ///< of each input point; -1 for one that is not used
   vtkIdType NumberOfMerged = 0;
+  int UnitExponent = 0; ///< the power of two above the largest extent
 };
 
 }

@@ -27,7 +27,10 @@ struct MeshedPoint
  */
 struct Tetrahedra
 {
-  std::vector<double> Points; ///< three a point
+  std::vector<double> Points; ///< three a point, in the unit below
+  /// The unit of length is this power of two. It is near the size of the model, so that bounds and
+  /// products of coordinates are within the range of double at any size.
+  int UnitExponent = 0;
   std::vector<MeshedPoint> Origins;
   std::vector<vtkIdType> Tetrahedra; ///< four a tetrahedron
   std::vector<vtkIdType> Cells;      ///< the input cell of each tetrahedron, where there is one

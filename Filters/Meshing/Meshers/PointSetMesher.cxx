@@ -5,6 +5,7 @@
 #include "Mesh/DistinctPoints.h"
 #include "Refinement/MeshRefinement.h"
 #include "Refinement/TetrahedronWalk.h"
+#include "Surfaces/ClosedSurface.h"
 #include "TetGen/MeshingJob.h"
 
 #include "vtkDataSet.h"
@@ -34,6 +35,21 @@ bool IsFlat(const std::vector<double>& x)
     }
   }
   return true;
+}
+
+/// Returns the problem of the points and the facets of their convex hull.
+TetGenProblem MakeHull(
+  const MeshingJob& job, const DistinctPoints& points, const TetGenSolution& coarse)
+{
+  std::vector<int> triangles;
+  for (std::size_t i = 0; i < coarse.Neighbors.size(); ++i)
+  {
+    for (std::size_t k = 1; coarse.Neighbors[i] < 0 && k < 4; ++k)
+    {
+      triangles.push_back(coarse.Tetrahedra[i - i % 4 + (i + k) % 4]);
+    }
+  }
+  return ClosedSurface(points, triangles).MakeProblem(job.PreserveBoundary);
 }
 
 void TakeMesh(const TetGenSolution& solution, const TetGenSolution& coarse,
@@ -68,6 +84,7 @@ std::string PointSetMesher::Execute(MeshingJob& job)
   DistinctPoints points;
   std::string wrong =
     points.Take(job.Input, std::vector<bool>(job.Input->GetNumberOfPoints(), true));
+  job.SetUnit(points.UnitExponent);
   job.Report.MergedPoints = points.NumberOfMerged;
   if (!wrong.empty() || job.IsCancelled())
   {
@@ -87,8 +104,7 @@ std::string PointSetMesher::Execute(MeshingJob& job)
   TetGenSolution refined = coarse;
   if (wrong.empty() && !job.IsCancelled() && job.IsRefining())
   {
-    job.SetProgress(0.3);
-    wrong = MeshRefinement::Execute(job, refined);
+    wrong = MeshRefinement::Execute(job, MakeHull(job, points, coarse), refined);
   }
   if (wrong.empty() && !job.IsCancelled())
   {

@@ -4,6 +4,7 @@
 #include "Common/Vectors.h"
 #include "Refinement/MeshRefinement.h"
 #include "Surfaces/ClosedSurface.h"
+#include "Surfaces/SurfaceContacts.h"
 #include "Surfaces/SurfaceCrossings.h"
 #include "Surfaces/SurfaceRegions.h"
 #include "TetGen/MeshingJob.h"
@@ -17,15 +18,12 @@ namespace interlume
 
 namespace
 {
-/// The bound that TetGen reaches most surely, before a stricter one.
-constexpr double FirstQualityBound = 2.0;
-
 /// Returns a point in a triangle as a weighted sum of its corners, by the areas opposite them,
 /// projected along the triangle's normal. A weight is negative where the point is outside.
 MeshedPoint PlaceInTriangle(const ClosedSurface& surface, int triangle, const double* x)
 {
   using namespace Vectors;
-  const int* corners = &surface.Triangles[3 * triangle];
+  const int* corners = &surface.InputTriangles[3 * surface.Origins[triangle]];
   const double* a = &surface.Points.Coordinates[3 * corners[0]];
   const double* b = &surface.Points.Coordinates[3 * corners[1]];
   const double* c = &surface.Points.Coordinates[3 * corners[2]];
@@ -84,14 +82,6 @@ std::string CheckPatches(const ClosedSurface& surface, const TetGenSolution& sol
   return std::string();
 }
 
-TetGenProblem MakeProblem(const ClosedSurface& surface)
-{
-  TetGenProblem problem;
-  problem.Points = surface.Points.Coordinates;
-  problem.Triangles = surface.Triangles;
-  return problem;
-}
-
 /// Returns an error that names the input cells that cross others, or nothing.
 std::string CheckCrossings(const ClosedSurface& surface)
 {
@@ -110,6 +100,23 @@ std::string CheckCrossings(const ClosedSurface& surface)
   return error + (cells.size() > most ? ", ..." : ".");
 }
 
+std::string Fill(MeshingJob& job, const TetGenProblem& problem, TetGenSolution& solution)
+{
+  return job.IsRefining() ? MeshRefinement::Execute(job, problem, solution)
+                          : job.Solve(problem, solution);
+}
+
+/// Returns a sentence that names two cells which nearly touch, or nothing.
+std::string NameNearCells(ClosedSurface& surface)
+{
+  constexpr double near = 1e-6;
+  SurfaceContacts contacts(surface, near);
+  return contacts.Find() ? ". Cells " + std::to_string(contacts.GetFirstCells()[0]) + " and " +
+      std::to_string(contacts.GetFirstCells()[1]) +
+      " nearly touch without common points: join them, or move them apart"
+                         : std::string();
+}
+
 void TakeMesh(const ClosedSurface& surface, const TetGenSolution& solution, MeshingJob& job)
 {
   interlume::Tetrahedra& mesh = job.Mesh;
@@ -122,11 +129,13 @@ void TakeMesh(const ClosedSurface& surface, const TetGenSolution& solution, Mesh
     mesh.Origins[p].Sources[0] = surface.Points.SourceIds[p];
   }
   std::vector<std::vector<int>> triangles(surface.NumberOfPatches);
+  std::vector<int> layers(surface.NumberOfPatches, 1);
   std::vector<vtkIdType> firstCells(surface.NumberOfPatches, std::numeric_limits<vtkIdType>::max());
   for (std::size_t t = 0; t < surface.Patches.size(); ++t)
   {
     const int patch = surface.Patches[t];
     triangles[patch].push_back(static_cast<int>(t));
+    layers[patch] = surface.Layers[t];
     firstCells[patch] = std::min(firstCells[patch], surface.CellIds[t]);
   }
   // A point on the edge of several patches has the same values in each: the first is as good.
@@ -143,7 +152,7 @@ void TakeMesh(const ClosedSurface& surface, const TetGenSolution& solution, Mesh
       mesh.Origins[p] = PlaceInPatch(surface, triangles[patches[p]], &solution.Points[3 * p]);
     }
   }
-  const SurfaceRegions regions(solution, firstCells, job.FillNestedShells);
+  const SurfaceRegions regions(solution, firstCells, layers, job.FillNestedShells);
   for (int t = 0; t < solution.GetNumberOfTetrahedra(); ++t)
   {
     const int region = regions(t);
@@ -162,8 +171,10 @@ void TakeMesh(const ClosedSurface& surface, const TetGenSolution& solution, Mesh
 std::string SurfaceMesher::Execute(MeshingJob& job)
 {
   ClosedSurface surface;
-  std::string wrong = surface.Take(job.Input);
+  std::string wrong = surface.Take(job.Input, job.SplitContacts);
   job.Report.SurfaceTriangles = static_cast<vtkIdType>(surface.CellIds.size());
+  job.SetUnit(surface.Points.UnitExponent);
+  job.Report.SplitTriangles = surface.NumberOfSplitTriangles;
   job.Report.MergedPoints = surface.Points.NumberOfMerged;
   if (wrong.empty())
   {
@@ -174,24 +185,19 @@ std::string SurfaceMesher::Execute(MeshingJob& job)
     return wrong;
   }
   job.SetProgress(0.1);
-  TetGenProblem problem = MakeProblem(surface);
-  // The triangles of a patch are one facet; preserved, each stays.
-  problem.Switches = job.PreserveBoundary ? "pYMJnQ" : "pM0/1JnQ";
-  if (job.IsRefining())
-  {
-    problem.Switches += job.GetRefinementSwitches(
-      std::max(job.QualityBound, FirstQualityBound), 0.0, job.MaximumNumberOfAddedPoints);
-  }
-  for (int patch : surface.Patches)
-  {
-    problem.Markers.push_back(patch + 1);
-  }
   TetGenSolution solution;
-  wrong = job.Solve(problem, solution);
-  if (wrong.empty() && !job.IsCancelled() && job.IsRefining())
+  wrong = Fill(job, surface.MakeProblem(job.PreserveBoundary), solution);
+  if (!wrong.empty() && !job.IsCancelled() && !job.TetGen.IsLate() && !job.PreserveBoundary)
   {
-    job.SetProgress(0.3);
-    wrong = MeshRefinement::Execute(job, solution);
+    // TetGen 1.5 can fail on facets that are planar up to rounding. Triangle by triangle, and with
+    // its points in another order, it succeeds then.
+    TetGenProblem problem = surface.MakeProblem(false);
+    problem.Switches = "pMb10JnQ";
+    wrong = Fill(job, problem, solution);
+  }
+  if (!wrong.empty())
+  {
+    wrong += NameNearCells(surface);
   }
   if (!wrong.empty() || job.IsCancelled())
   {

@@ -2,6 +2,7 @@
 #include "Refinement/MeshRefinement.h"
 
 #include "Mesh/MeshMeasures.h"
+#include "Refinement/VolumeBisection.h"
 #include "TetGen/MeshingJob.h"
 
 #include <array>
@@ -11,6 +12,8 @@ namespace interlume
 
 namespace
 {
+/// The bound on the shape that TetGen reaches most surely.
+constexpr double SureQualityBound = 2.0;
 /// A pass whose smallest tetrahedron is this much smaller than before, or this flat, is no gain.
 constexpr double LeastVolumeRatio = 1e-6;
 constexpr double LeastShape = 1e-6;
@@ -22,6 +25,9 @@ constexpr int MostStalls = 2;
 constexpr double NearlyHeld = 1.5;
 constexpr double TighterQuality = 0.02;
 constexpr double TighterVolume = 0.1;
+/// The factor by which passes may multiply the points of a mesh that nearly holds the volume bound:
+/// more is the sign of a refinement without end.
+constexpr int MostGrowth = 4;
 /// The factors of weaker bounds, for large tetrahedra next to angles at which the bound that was
 /// set has no end.
 constexpr std::array<double, 2> WeakerBounds{ { 4.0, 16.0 } };
@@ -51,13 +57,43 @@ bool IsSound(const MeshMeasures& now, const MeshMeasures& first)
   return now.LeastShape > std::min(LeastShape, first.LeastShape) &&
     now.SmallestVolume > LeastVolumeRatio * size;
 }
+
+/// Solves \a problem with all bounds, or if TetGen fails, with a bound on the shape that it reaches
+/// more surely. If both fail and there is a \a mesh already, keeps it.
+std::string SolveWithin(MeshingJob& job, const TetGenProblem& problem, TetGenSolution& mesh)
+{
+  const double quality = job.QualityBound > 0.0 ? job.QualityBound : SureQualityBound;
+  std::string wrong;
+  for (bool isWeaker : { false, true })
+  {
+    TetGenProblem bounded = problem;
+    bounded.Switches +=
+      job.GetRefinementSwitches(isWeaker ? std::max(quality, SureQualityBound) : quality,
+        isWeaker ? 0.0 : job.MaximumVolume, job.MaximumNumberOfAddedPoints);
+    TetGenSolution solution;
+    wrong = job.Solve(bounded, solution);
+    if (job.IsCancelled() || job.TetGen.IsLate())
+    {
+      return wrong;
+    }
+    if (wrong.empty())
+    {
+      mesh = std::move(solution);
+      return wrong;
+    }
+  }
+  return mesh.Tetrahedra.empty() ? wrong : std::string();
 }
 
-std::string MeshRefinement::Execute(MeshingJob& job, TetGenSolution& mesh)
+/// Refines \a mesh until the bounds hold or it has \a most points.
+std::string RunPasses(MeshingJob& job, int most, TetGenSolution& mesh)
 {
-  const int most = mesh.GetNumberOfPoints() + job.MaximumNumberOfAddedPoints;
   const MeshMeasures first = Measure(job, mesh);
   MeshMeasures best = first;
+  if (first.LargestVolume <= NearlyHeld * job.MaximumVolume || job.MaximumVolume <= 0.0)
+  {
+    most = MostGrowth * std::min(most / MostGrowth, mesh.GetNumberOfPoints());
+  }
   TetGenSolution current = mesh;
   double quality = job.QualityBound;
   std::size_t weaker = 0;
@@ -109,6 +145,25 @@ std::string MeshRefinement::Execute(MeshingJob& job, TetGenSolution& mesh)
     }
   }
   return {};
+}
+}
+
+std::string MeshRefinement::Execute(
+  MeshingJob& job, const TetGenProblem& problem, TetGenSolution& mesh)
+{
+  std::string wrong = SolveWithin(job, problem, mesh);
+  if (!wrong.empty() || job.IsCancelled())
+  {
+    return wrong;
+  }
+  job.SetProgress(0.3);
+  const int most = static_cast<int>(problem.Points.size() / 3) + job.MaximumNumberOfAddedPoints;
+  wrong = RunPasses(job, most, mesh);
+  if (wrong.empty() && !job.IsCancelled() && job.MaximumVolume > 0.0)
+  {
+    VolumeBisection(job, mesh).Execute(most);
+  }
+  return wrong;
 }
 
 }

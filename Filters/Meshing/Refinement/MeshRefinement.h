@@ -8,23 +8,28 @@ namespace interlume
 {
 
 struct MeshingJob;
+struct TetGenProblem;
 struct TetGenSolution;
 
 /**
  * @class   MeshRefinement
  * @brief   refines a mesh until the bounds hold
  *
- * TetGen's own improvement of a refined mesh can undo what the refinement reached, and a strict
- * bound is reached better from a mesh that holds a weaker one. So the mesh goes through TetGen
+ * TetGen gets all bounds together with the facets. A mesh that it refines later has lost the small
+ * angles between them, and next to these it would not end. Its own improvement of a refined mesh
+ * can undo what the refinement reached, so a mesh that misses a bound goes through TetGen again,
  * several times. The result is the mesh nearest to its bounds, see MeshMeasures::Excess. A pass
- * that makes tiny or flat tetrahedra, as next to small angles, is dropped, and so is one in which
- * TetGen fails; then weaker bounds on the shape are tried, as long as tetrahedra are too large.
+ * that makes tiny or flat tetrahedra is dropped, and so is one in which TetGen fails; then weaker
+ * bounds on the shape are tried, as long as tetrahedra are too large. VolumeBisection splits
+ * tetrahedra that are too large after that.
  */
 class MeshRefinement
 {
 public:
-  /// Refines \a mesh. Returns that the time is up, or nothing; nothing where it was cancelled, too.
-  static std::string Execute(MeshingJob& job, TetGenSolution& mesh);
+  /// Solves \a problem within the bounds. If TetGen fails, refines \a mesh, or if that is empty, a
+  /// mesh within weaker bounds. Returns why there is no mesh, or that the time is up, or nothing;
+  /// nothing where it was cancelled, too.
+  static std::string Execute(MeshingJob& job, const TetGenProblem& problem, TetGenSolution& mesh);
 };
 
 }

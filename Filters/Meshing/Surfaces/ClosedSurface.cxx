@@ -3,14 +3,17 @@
 
 #include "Common/Vectors.h"
 #include "Shells/FaceTriangulation.h"
+#include "Surfaces/SurfaceContacts.h"
 
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPointSet.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -20,9 +23,6 @@ namespace interlume
 namespace
 {
 using Polygon = std::vector<vtkIdType>;
-
-/// The distance from a plane, in parts of its coordinates, at which a point is still in it.
-constexpr double Flatness = 1e-15;
 
 /// Returns the polygons of a cell of two dimensions; none for a cell of another kind.
 std::vector<Polygon> PolygonsOf(int type, vtkIdList* ids)
@@ -51,6 +51,28 @@ std::vector<Polygon> PolygonsOf(int type, vtkIdList* ids)
   }
 }
 
+/// The distance that rounding may account for, in units of rounding of the largest coordinate.
+constexpr double RoundingSteps = 8.0;
+
+double FindLargest(const std::vector<double>& coordinates)
+{
+  double largest = 0.0;
+  for (double x : coordinates)
+  {
+    largest = std::max(largest, std::abs(x));
+  }
+  return largest;
+}
+
+/// Returns the distance that rounding of the input's coordinates may account for.
+double FindRounding(vtkDataSet* input, const DistinctPoints& points)
+{
+  vtkPointSet* set = vtkPointSet::SafeDownCast(input);
+  const bool isSingle = set && set->GetPoints()->GetDataType() == VTK_FLOAT;
+  return RoundingSteps * FindLargest(points.Coordinates) *
+    (isSingle ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon());
+}
+
 std::array<int, 3> Sorted(const int* triangle)
 {
   std::array<int, 3> sorted{ { triangle[0], triangle[1], triangle[2] } };
@@ -59,7 +81,28 @@ std::array<int, 3> Sorted(const int* triangle)
 }
 }
 
-std::string ClosedSurface::Take(vtkDataSet* input)
+ClosedSurface::ClosedSurface(const DistinctPoints& points, const std::vector<int>& triangles)
+  : Points(points)
+  , Triangles(triangles)
+  , CellIds(triangles.size() / 3, 0)
+{
+  this->ConnectEdges();
+}
+
+TetGenProblem ClosedSurface::MakeProblem(bool preserveBoundary) const
+{
+  TetGenProblem problem;
+  problem.Switches = preserveBoundary ? "pYMJnQ" : "pM0/1JnQ";
+  problem.Points = this->Points.Coordinates;
+  problem.Triangles = this->Triangles;
+  for (int patch : this->Patches)
+  {
+    problem.Markers.push_back(patch + 1);
+  }
+  return problem;
+}
+
+std::string ClosedSurface::Take(vtkDataSet* input, bool splitContacts)
 {
   vtkNew<vtkIdList> ids;
   std::vector<bool> isUsed(input->GetNumberOfPoints(), false);
@@ -85,6 +128,13 @@ std::string ClosedSurface::Take(vtkDataSet* input)
   {
     this->DropRepeated();
     wrong = this->CheckAreas();
+  }
+  if (wrong.empty())
+  {
+    this->InputTriangles = this->Triangles;
+    this->Origins.resize(this->CellIds.size());
+    std::iota(this->Origins.begin(), this->Origins.end(), 0);
+    wrong = this->SplitContacts(FindRounding(input, this->Points), splitContacts);
   }
   return wrong.empty() ? this->ConnectEdges() : wrong;
 }
@@ -116,6 +166,7 @@ std::string ClosedSurface::AddPolygons(vtkDataSet* input)
         {
           this->Triangles.insert(this->Triangles.end(), triangle.begin(), triangle.end());
           this->CellIds.push_back(cell);
+          this->Layers.push_back(1);
         }
       }
     }
@@ -125,29 +176,96 @@ std::string ClosedSurface::AddPolygons(vtkDataSet* input)
 
 void ClosedSurface::DropRepeated()
 {
-  std::vector<std::size_t> order(this->CellIds.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-    [this](std::size_t a, std::size_t b)
-    { return Sorted(&this->Triangles[3 * a]) < Sorted(&this->Triangles[3 * b]); });
-  std::vector<bool> isRepeated(order.size(), false);
-  for (std::size_t i = 1; i < order.size(); ++i)
-  {
-    isRepeated[order[i]] =
-      Sorted(&this->Triangles[3 * order[i]]) == Sorted(&this->Triangles[3 * order[i - 1]]);
-  }
+  std::map<std::array<int, 3>, std::size_t> first;
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < order.size(); ++i)
+  for (std::size_t i = 0; i < this->CellIds.size(); ++i)
   {
-    if (!isRepeated[i])
+    const auto found = first.emplace(Sorted(&this->Triangles[3 * i]), kept);
+    if (!found.second)
     {
-      std::copy_n(&this->Triangles[3 * i], 3, &this->Triangles[3 * kept]);
-      this->CellIds[kept] = this->CellIds[i];
-      ++kept;
+      this->Layers[found.first->second] += this->Layers[i];
+      this->CellIds[found.first->second] = this->CellIds[i];
+      continue;
     }
+    std::copy_n(&this->Triangles[3 * i], 3, &this->Triangles[3 * kept]);
+    this->CellIds[kept] = this->CellIds[i];
+    this->Layers[kept] = this->Layers[i];
+    if (!this->Origins.empty())
+    {
+      this->Origins[kept] = this->Origins[i];
+    }
+    ++kept;
   }
   this->Triangles.resize(3 * kept);
   this->CellIds.resize(kept);
+  this->Layers.resize(kept);
+  this->Origins.resize(this->Origins.empty() ? 0 : kept);
+}
+
+void ClosedSurface::MergePoints(const std::map<int, int>& merged)
+{
+  const auto number = static_cast<int>(this->Points.SourceIds.size());
+  std::vector<int> now(number);
+  int kept = 0;
+  for (int p = 0; p < number; ++p)
+  {
+    const auto found = merged.find(p);
+    now[p] = found == merged.end() ? kept : now[found->second];
+    if (found == merged.end())
+    {
+      this->Points.SourceIds[kept] = this->Points.SourceIds[p];
+      std::copy_n(&this->Points.Coordinates[3 * p], 3, &this->Points.Coordinates[3 * kept]);
+      ++kept;
+    }
+  }
+  this->Points.NumberOfMerged += number - kept;
+  this->Points.SourceIds.resize(kept);
+  this->Points.Coordinates.resize(3 * kept);
+  for (std::vector<int>* list : { &this->Triangles, &this->InputTriangles })
+  {
+    for (int& point : *list)
+    {
+      point = now[point];
+    }
+  }
+  // Triangles that collapse have no area left.
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < this->CellIds.size(); ++i)
+  {
+    const std::array<int, 3> sorted = Sorted(&this->Triangles[3 * i]);
+    if (sorted[0] != sorted[1] && sorted[1] != sorted[2])
+    {
+      std::copy_n(&this->Triangles[3 * i], 3, &this->Triangles[3 * left]);
+      this->CellIds[left] = this->CellIds[i];
+      this->Layers[left] = this->Layers[i];
+      this->Origins[left] = this->Origins[i];
+      ++left;
+    }
+  }
+  this->Triangles.resize(3 * left);
+  this->CellIds.resize(left);
+  this->Layers.resize(left);
+  this->Origins.resize(left);
+  this->DropRepeated();
+}
+
+std::string ClosedSurface::SplitContacts(double tolerance, bool splitContacts)
+{
+  SurfaceContacts contacts(*this, tolerance);
+  if (!contacts.Find())
+  {
+    return std::string();
+  }
+  if (!splitContacts)
+  {
+    return "Cells " + std::to_string(contacts.GetFirstCells()[0]) + " and " +
+      std::to_string(contacts.GetFirstCells()[1]) +
+      " touch without common points or edges. Turn SplitContacts on, or make the surfaces share "
+      "their points there.";
+  }
+  const std::string wrong = contacts.Split();
+  this->NumberOfSplitTriangles = contacts.GetNumberOfSplitTriangles();
+  return wrong;
 }
 
 std::string ClosedSurface::CheckAreas() const
@@ -180,9 +298,7 @@ bool ClosedSurface::AreCoplanar(std::size_t triangle, std::size_t other) const
   for (int i = 0; i < 3; ++i)
   {
     const double* x = point(other, i);
-    const double size = std::max({ std::abs(x[0]), std::abs(x[1]), std::abs(x[2]), std::abs(a[0]),
-      std::abs(a[1]), std::abs(a[2]) });
-    if (std::abs(glm::dot(normal, Difference(x, a))) > Flatness * length * size)
+    if (std::abs(glm::dot(normal, Difference(x, a))) > this->Flatness * length)
     {
       return false;
     }
@@ -207,6 +323,9 @@ std::string ClosedSurface::ConnectEdges()
   std::sort(edges.begin(), edges.end(),
     [](const Edge& a, const Edge& b)
     { return std::tie(a.From, a.To, a.Triangle) < std::tie(b.From, b.To, b.Triangle); });
+  // Triangles that were split within rounding are one plane still.
+  this->Flatness = 2.0 * RoundingSteps * FindLargest(this->Points.Coordinates) *
+    std::numeric_limits<double>::epsilon();
   std::vector<std::vector<std::size_t>> neighbors(this->CellIds.size());
   std::size_t next = 0;
   for (std::size_t i = 0; i < edges.size(); i = next)

@@ -3,12 +3,11 @@
 
 #include "Common/Vectors.h"
 #include "Surfaces/ClosedSurface.h"
+#include "Surfaces/TrianglePairs.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 namespace interlume
 {
@@ -72,92 +71,23 @@ bool HasEdgeThrough(const Triangle& s, const Triangle& t)
   }
   return false;
 }
-
-/// The box of a triangle.
-struct Extents
-{
-  std::size_t Owner;
-  glm::dvec3 Least;
-  glm::dvec3 Most;
-
-  Extents(std::size_t owner, const Triangle& t)
-    : Owner(owner)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      std::tie(this->Least[axis], this->Most[axis]) =
-        std::minmax({ t[0][axis], t[1][axis], t[2][axis] });
-    }
-  }
-
-  bool Meets(const Extents& other) const
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      if (this->Most[axis] < other.Least[axis] || other.Most[axis] < this->Least[axis])
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-};
-
-/// Returns the axis along which triangles are shortest beside the whole surface.
-int ChooseAxis(const std::vector<Extents>& boxes)
-{
-  int best = 0;
-  double shortest = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
-    double sum = 0.0;
-    for (const Extents& box : boxes)
-    {
-      least = std::min(least, box.Least[axis]);
-      most = std::max(most, box.Most[axis]);
-      sum += box.Most[axis] - box.Least[axis];
-    }
-    if (sum < shortest * (most - least))
-    {
-      shortest = sum / (most - least);
-      best = axis;
-    }
-  }
-  return best;
-}
 }
 
 std::vector<vtkIdType> SurfaceCrossings::FindCells(const ClosedSurface& surface)
 {
-  std::vector<Triangle> triangles;
-  std::vector<Extents> boxes;
-  for (std::size_t t = 0; t < surface.Triangles.size(); t += 3)
-  {
-    triangles.push_back({ &surface.Triangles[t], surface.Points.Coordinates.data() });
-    boxes.emplace_back(t / 3, triangles.back());
-  }
-  const int axis = ChooseAxis(boxes);
-  std::sort(boxes.begin(), boxes.end(),
-    [axis](const Extents& a, const Extents& b) { return a.Least[axis] < b.Least[axis]; });
-
+  const std::vector<double>& points = surface.Points.Coordinates;
   std::vector<vtkIdType> cells;
-  for (auto one = boxes.begin(); one != boxes.end(); ++one)
-  {
-    for (auto other = one + 1; other != boxes.end() && other->Least[axis] <= one->Most[axis];
-         ++other)
+  TrianglePairs::ForEach(points, surface.Triangles, 0.0,
+    [&](int one, int other)
     {
-      const Triangle& s = triangles[one->Owner];
-      const Triangle& t = triangles[other->Owner];
-      if (one->Meets(*other) && !HaveCommonPoint(s, t) &&
-        (HasEdgeThrough(s, t) || HasEdgeThrough(t, s)))
+      const Triangle s{ &surface.Triangles[3 * one], points.data() };
+      const Triangle t{ &surface.Triangles[3 * other], points.data() };
+      if (!HaveCommonPoint(s, t) && (HasEdgeThrough(s, t) || HasEdgeThrough(t, s)))
       {
-        cells.push_back(surface.CellIds[one->Owner]);
-        cells.push_back(surface.CellIds[other->Owner]);
+        cells.push_back(surface.CellIds[one]);
+        cells.push_back(surface.CellIds[other]);
       }
-    }
-  }
+    });
   std::sort(cells.begin(), cells.end());
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   return cells;

@@ -61,17 +61,23 @@ struct Region
 {
   int Depth = std::numeric_limits<int>::max();
   vtkIdType FirstCell = std::numeric_limits<vtkIdType>::max();
-  std::vector<int> Beyond; ///< regions on the other side of its facets
+  struct Passage
+  {
+    int Region; ///< on the other side of a facet
+    int Layers; ///< of the facet
+  };
+  std::vector<Passage> Passages;
 };
 }
 
-SurfaceRegions::SurfaceRegions(
-  const TetGenSolution& solution, const std::vector<vtkIdType>& cellIds, bool fillNestedShells)
+SurfaceRegions::SurfaceRegions(const TetGenSolution& solution,
+  const std::vector<vtkIdType>& cellIds, const std::vector<int>& layers, bool fillNestedShells)
   : Regions(solution.GetNumberOfTetrahedra(), -1)
 {
   const Walls walls(solution);
   std::vector<Region> regions;
-  std::vector<std::array<int, 2>> crossings; // a region and a tetrahedron beyond one of its facets
+  // A region, a tetrahedron beyond one of its facets, and the facet's layers.
+  std::vector<std::array<int, 3>> crossings;
   std::vector<int> stack;
   std::queue<int> outermost;
   for (int seed = 0; seed < solution.GetNumberOfTetrahedra(); ++seed)
@@ -102,7 +108,8 @@ SurfaceRegions::SurfaceRegions(
         }
         else if (marker != 0)
         {
-          crossings.push_back({ { number, neighbor } });
+          crossings.push_back({ { number, neighbor,
+            marker > 0 && marker <= static_cast<int>(layers.size()) ? layers[marker - 1] : 1 } });
         }
         else if (this->Regions[neighbor] < 0)
         {
@@ -118,18 +125,19 @@ SurfaceRegions::SurfaceRegions(
   }
   for (const auto& crossing : crossings)
   {
-    regions[crossing[0]].Beyond.push_back(this->Regions[crossing[1]]);
+    regions[crossing[0]].Passages.push_back({ this->Regions[crossing[1]], crossing[2] });
   }
   while (!outermost.empty())
   {
     const Region region = regions[outermost.front()];
     outermost.pop();
-    for (int beyond : region.Beyond)
+    for (const Region::Passage& passage : region.Passages)
     {
-      if (regions[beyond].Depth > region.Depth + 1)
+      Region& beyond = regions[passage.Region];
+      if (beyond.Depth > region.Depth + passage.Layers)
       {
-        regions[beyond].Depth = region.Depth + 1;
-        outermost.push(beyond);
+        beyond.Depth = region.Depth + passage.Layers;
+        outermost.push(passage.Region);
       }
     }
   }

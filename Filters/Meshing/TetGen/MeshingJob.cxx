@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iomanip>
 #include <locale>
 #include <sstream>
@@ -14,18 +15,35 @@
 namespace interlume
 {
 
+namespace
+{
+/// The least volume bound in the unit of the mesh: 0 is no bound.
+constexpr double LeastVolume = 1e-300;
+}
+
+void MeshingJob::SetUnit(int exponent)
+{
+  this->Mesh.UnitExponent = exponent;
+  if (this->MaximumVolume > 0.0)
+  {
+    this->MaximumVolume = std::ldexp(this->MaximumVolume, -3 * exponent);
+    this->MaximumVolume = std::max(LeastVolume, std::min(this->MaximumVolume, VTK_DOUBLE_MAX));
+  }
+}
+
 std::string MeshingJob::GetRefinementSwitches(double quality, double volume, int points) const
 {
   std::ostringstream switches;
   switches.imbue(std::locale::classic());
-  switches << std::setprecision(17) << std::fixed;
+  switches << std::setprecision(17);
   if (quality > 0.0)
   {
-    switches << "q" << quality << "/" << this->MinimumDihedralAngle;
+    // TetGen reads no exponent here.
+    switches << std::fixed << "q" << quality << "/" << this->MinimumDihedralAngle;
   }
   if (volume > 0.0)
   {
-    switches << "a" << volume;
+    switches << std::scientific << "a" << volume;
   }
   switches << "S" << points;
   return switches.str();

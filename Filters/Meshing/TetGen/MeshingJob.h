@@ -38,6 +38,9 @@ struct MeshingJob : vtkMeshingSettings
   Tetrahedra Mesh;
   vtkTetrahedralMesherReport Report;
 
+  /// Sets the unit of length in which TetGen gets the points, see Tetrahedra::UnitExponent, and
+  /// converts the volume bound.
+  void SetUnit(int exponent);
   /// Returns whether the mesh is to be refined.
   bool IsRefining() const { return this->QualityBound > 0.0 || this->MaximumVolume > 0.0; }
   /// Returns TetGen's switches to refine a mesh to bounds, 0 for none, by at most \a points new
