@@ -262,6 +262,18 @@ void CheckContacts(Check& check)
   }
 }
 
+/// A cavity that another part fills.
+void CheckFilledCavity(Check& check)
+{
+  check.SetContext("a filled cavity");
+  auto boxes = MakeBoxes();
+  AppendBox(boxes, { -2, -2, -2 }, { 2, 2, 2 });
+  AppendBox(boxes, { -1, -1, -1 }, { 1, 1, 1 }, true);
+  AppendBox(boxes, { -1, -1, -1 }, { 1, 1, 1 });
+  CheckRegions(MeshOf(boxes), { 56, 8 }, check);
+  CheckRegions(MeshOf(boxes, true), { 56, 8 }, check);
+}
+
 /// One point of a pyramid, or one of its edges, is on the top of a cube.
 void CheckPointContacts(Check& check)
 {
@@ -350,6 +362,7 @@ int TestTetrahedralMesherSurfaces(int, char*[])
   CheckShells(check);
   CheckWalls(check);
   CheckContacts(check);
+  CheckFilledCavity(check);
   CheckPointContacts(check);
   CheckDiagonals(check);
   CheckContactError(check);

@@ -280,10 +280,11 @@ void SurfaceContacts::FindEdgesInside(int s, int t, const std::array<double, 3>&
   }
 }
 
-int SurfaceContacts::FindRoot(int t) const
+int SurfaceContacts::FindRoot(int t)
 {
   while (this->Parents[t] != t)
   {
+    this->Parents[t] = this->Parents[this->Parents[t]];
     t = this->Parents[t];
   }
   return t;

@@ -69,7 +69,7 @@ private:
   /// Returns whether two triangles of one plane have an area in common.
   bool DoOverlap(int s, int t) const;
   void Note(int s, int t);
-  int FindRoot(int t) const;
+  int FindRoot(int t);
   /// Makes every crossing of edges a point of both.
   void AddCrossings();
   /// Returns the points of an edge from its first to its last.
