@@ -129,8 +129,8 @@ float lightOfEmitterSample(int emitter, int number, vec3 place, vec4 plane)
 
 #ifdef CASTER_PLANES
 // Returns the same with the mean over what the sample stands for, as its map has it, where what casts the
-// shadow has this gap.
-float lightAroundSample(int emitter, int number, vec3 place, vec4 plane, float gap)
+// shadow has this gap; nothing with less than the least gap does.
+float lightAroundSample(int emitter, int number, vec3 place, vec4 plane, float gap, float least)
 {
   EmitterPlace seen = seenFromSample(emitter, number, place, plane);
   if (!seen.isSeen)
@@ -145,7 +145,10 @@ float lightAroundSample(int emitter, int number, vec3 place, vec4 plane, float g
     share = i < 2 ? share : -share;
     vec2 move = gap * (share.x * seen.moves[0] + share.y * seen.moves[1]);
     vec3 at = seen.at + vec3(move, dot(seen.slope, move));
-    sum += lightOfTile(emitterDepths, seen.tile, seen.texelDepth, at, seen.slope);
+    vec2 part;
+    vec4 gaps;
+    vec4 lit = litTexels(emitterDepths, seen.tile, seen.texelDepth, at, seen.slope, part, gaps);
+    sum += interpolated(max(lit, vec4(lessThan(gaps, vec4(least)))), part);
   }
   return 0.25 * sum;
 }
@@ -170,14 +173,21 @@ vec3 lightOfEmitter(int emitter, vec3 place, vec4 plane)
     gaps += gap;
   }
 #ifdef CASTER_PLANES
-  // Where some samples are hidden their steps are smoothed.
+  // Where some samples are hidden their steps are smoothed. What moves into the way of a sample that
+  // shines here is not nearer than what hides others: at the foot of a wall each sample sees the wall
+  // beside the place, but no gap.
   if (taken > 0.0 && taken < float(end - first))
   {
+    const float tolerance = 0.5;
+    float mean = gaps / taken;
     dark = vec3(0.0);
     for (int number = first; number < end; ++number)
     {
-      dark += emitterSamples[3 * number + 2].xyz *
-        (1.0 - lightAroundSample(emitter, number, here, planeHere, gaps / taken));
+      float own;
+      bool isHidden = lightOfSample(emitter, number, here, planeHere, own) < 1.0;
+      dark += emitterSamples[3 * number + 2].xyz * (1.0 -
+        lightAroundSample(
+          emitter, number, here, planeHere, mean, isHidden ? 0.0 : tolerance * mean));
     }
   }
 #endif
