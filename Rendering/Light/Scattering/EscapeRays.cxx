@@ -31,8 +31,8 @@ struct Ordinate
 {
   glm::dvec3 Out{ 0.0 };
   double Weight = 0.0;
-  /// Where rays go through their parts of a side. Directions differ in it, so that the rays of all
-  /// meet everything within a cell.
+  /// Position of rays within their parts of a side. Neither the directions around an axis nor those
+  /// of the same angle around it share a position, so that together they sample a cell evenly.
   glm::dvec2 Place{ 0.5 };
 };
 
@@ -62,8 +62,9 @@ std::vector<Ordinate> MakeOrdinates()
         ordinate.Out[(axis + 1) % 3] = across * std::cos(angle);
         ordinate.Out[(axis + 2) % 3] = across * std::sin(angle);
         ordinate.Weight = weights[i / 4] / (3.0 * 4.0 * turns);
-        const double number = static_cast<double>(ordinates.size());
-        ordinate.Place = glm::fract(0.5 + number * glm::dvec2(0.7548776662, 0.5698402910));
+        const double ring = static_cast<double>(ordinates.size() / turns);
+        ordinate.Place = glm::fract(glm::dvec2(1.0, 3.0) * ((turn + 0.5) / turns) +
+          ring * glm::dvec2(0.41421356237, 0.73205080757));
         ordinates.push_back(ordinate);
       }
     }

@@ -15,7 +15,7 @@ namespace interlume
  * @class   SingleEscape
  * @brief   computes how much of the light that is scattered once leaves the medium
  *
- * It follows 4096 paths of a light: from where the light enters a cell, at random on the sides that
+ * It follows 16384 paths of a light: from where the light enters a cell, at random on the sides that
  * it shines on, to where it is scattered there, and on in a direction that the phase function
  * gives. Cells have paths by what they scatter, and a path counts by the light that comes to its
  * cell's side and what the cell takes of it on the way. So it is the transmittance itself that

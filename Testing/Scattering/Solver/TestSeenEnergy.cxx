@@ -149,11 +149,62 @@ void CheckSeen(Check& check, int number)
             << "), three standard deviations off\n";
 }
 
+/// A ball with a sharp surface, of that depth through its middle.
+ScatteringMedium MakeBall(int cells, double depth)
+{
+  constexpr double radius = 0.4;
+  constexpr int parts = 4;
+  ScatteringMedium medium = MakeMedium(glm::ivec3(cells), 0.0, glm::vec3(1.0f), 0.0);
+  const int columns = parts * cells;
+  glm::ivec3 part(0);
+  for (part.z = 0; part.z < columns; ++part.z)
+  {
+    for (part.y = 0; part.y < columns; ++part.y)
+    {
+      for (part.x = 0; part.x < columns; ++part.x)
+      {
+        const glm::dvec3 place = (glm::dvec3(part) + 0.5) / static_cast<double>(columns) - 0.5;
+        medium.Extinction[medium.GetIndex(part / parts)] += glm::length(place) < radius
+          ? static_cast<float>(depth / (2.0 * radius) / (parts * parts * parts))
+          : 0.0f;
+      }
+    }
+  }
+  return medium;
+}
+
+/// Thick matter that absorbs nothing sends out what it takes, within a percent and the noise.
+void CheckThick(Check& check)
+{
+  constexpr int rays = 400000;
+  const auto expect = [&check](const std::string& name, const ScatteringMedium& medium)
+  {
+    const std::vector<ScatteringLight> lights{ MakeLight(medium, { 0.3, 0.5, 1.0 }) };
+    const Solved solved = Solve(medium, lights, ScatteringMode::Full);
+    const SeenLight seen(medium, lights, 0.0);
+    const SeenLight::Energy energy = seen.GetEnergy({ &solved.Field }, rays, 7).front();
+    const double share = energy.Seen / energy.Incoming;
+    const double noise = 2.0 * energy.Error / energy.Incoming;
+    std::cout << name << ": " << share << " of the light is seen, noise " << noise << "\n";
+    check.Near(share, 1.0, 0.01 + noise, name + ": light that is seen", 1.0);
+  };
+  for (const double depth : { 20.0, 60.0, 200.0, 1000.0 })
+  {
+    expect("ball of depth " + std::to_string(depth), MakeBall(32, depth));
+  }
+  for (const int cells : { 8, 32 })
+  {
+    expect("cloud of depth 200 in " + std::to_string(cells) + " cells",
+      MakeCloud(cells, 200.0, glm::vec3(1.0f), 0.0));
+  }
+}
+
 }
 
 int TestSeenEnergy(int, char*[])
 {
   Check check;
   CheckSeen(check, 500);
+  CheckThick(check);
   return check.Result();
 }
