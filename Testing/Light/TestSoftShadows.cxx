@@ -102,9 +102,11 @@ void TestHalfPlane(Check& check)
                 << mapper->GetReport().LightLayers << " layers, "
                 << mapper->GetReport().SoftShadowPasses << " passes for "
                 << mapper->GetReport().LightPasses << std::endl;
-      check.Near(error, 0.0, 0.05, name + ": width", 1.0);
-      check.Near(fit, 0.0, 0.05, name + ": width of the ramp that fits", 1.0);
-      check.Near(largest, 0.0, (size == 128 ? 0.03 : 0.015) * (ratio > 2.0 ? 2.5 : 1.0),
+      // A batch of slabs is a tenth as deep as a near light is far from the sheet in it.
+      const double bound = size == 128 && ratio > 2.0 ? 0.15 : 0.05;
+      check.Near(error, 0.0, bound, name + ": width", 1.0);
+      check.Near(fit, 0.0, bound, name + ": width of the ramp that fits", 1.0);
+      check.Near(largest, 0.0, (size == 128 ? 0.035 : 0.015) * (ratio > 2.0 ? 2.5 : 1.0),
         name + ": profile", 1.0);
       check.That(std::abs(error) < lastError && largest < 0.8 * lastLargest,
         name + ": width and profile converge");
@@ -182,6 +184,21 @@ void TestRefinement(Check& check)
   }
 }
 
+/// Penumbras of a few texels. Lookups in layers and their mean would spread one of 4 texels by two
+/// thirds of its width, and one of 6 by a quarter.
+void TestNarrow(Check& check)
+{
+  constexpr int size = 128;
+  for (const auto& [texels, bound] : { std::pair<double, double>{ 3.0, 0.55 }, { 4.0, 0.2 },
+         { 6.0, 0.07 }, { 8.0, 0.08 }, { 12.0, 0.04 } })
+  {
+    const PenumbraError error = MeasureHalfPlane(0.05, texels * Width / size, size / 64);
+    std::cout << "penumbra of " << texels << " texels: width off by " << 100.0 * error.Width
+              << " %, fit " << 100.0 * error.Fit << " %, profile by " << error.Profile << std::endl;
+    check.Near(error.Width, 0.0, bound, "narrow penumbra: width", 1.0);
+  }
+}
+
 /// Round lights, and lights tilted by 45 degrees, against the exact share of a disc or rectangle.
 void TestShapes(Check& check)
 {
@@ -243,7 +260,7 @@ void TestConvolution(Check& check)
     std::cout << "convolution in a buffer of " << size << "^2: " << share << " of the width, "
               << report.SoftShadowPasses << " passes" << std::endl;
     check.That(share < 0.9 * last, "convolution: the width shrinks with the buffer");
-    check.That(share > 0.02, "convolution: the shadow is soft");
+    check.Near(share, size == 64 ? 0.488 : 0.166, 0.015, "convolution: width", 1.0);
     check.That(report.SoftShadowPasses > 0 && report.LightLayers == 0, "convolution: passes");
     check.Equal(report.SoftShadowBytes, 4 * size * size, "convolution: bytes");
     last = share;
@@ -285,7 +302,7 @@ void TestSamples(Check& check)
     const PictureError error = ComparePictures(picture, DrawByMapper(hard, point));
     std::cout << name << ": " << error.Max << " at most, " << error.Mean
               << " in the mean from hard shadows\n";
-    check.That(error.Mean > 0.0004, name + ": far from hard shadows");
+    check.That(error.Mean > 0.0002, name + ": far from hard shadows");
   };
   const Double3 front{ { -2.0, 2.0, 2.0 } };
   compare("square light", BoxesScene(MakeAreaLight(front, 1.5)), 1);
@@ -373,6 +390,7 @@ int TestSoftShadows(int, char*[])
   TestSamples(check);
   TestHalfPlane(check);
   TestRefinement(check);
+  TestNarrow(check);
   TestShapes(check);
   TestConvolution(check);
   TestInside(check);
