@@ -27,7 +27,9 @@ namespace
 
 using namespace reference;
 
-constexpr PictureBound Bound = { 0.06, 0.001 };
+constexpr PictureBound Bound = { 0.02, 0.0004 };
+/// Of lights from a place, whose color changes within the volume.
+constexpr PictureBound PlaceBound = { 0.012, 0.0002 };
 
 ShadowScene BoxesScene()
 {
@@ -64,18 +66,22 @@ void TestPositional(Check& check)
   {
     auto scene = BoxesScene();
     scene.Lights = { MakePositionalLight(position) };
-    ExpectReference(check, "positional at " + ToText(position), scene, Bound);
+    ExpectReference(check, "positional at " + ToText(position), scene, PlaceBound);
   }
   auto scene = BoxesScene();
   scene.Lights = { MakePositionalLight({ { -0.9, 1.0, 1.2 } }) };
   vtkLight* light = scene.Lights[0];
-  light->SetConeAngle(14.0);
-  light->SetExponent(8.0);
-  ExpectReference(check, "cone", scene, Bound);
+  // The edge of the cone lies in the matter, and the light is half as bright there.
+  light->SetConeAngle(10.0);
+  light->SetExponent(45.0);
+  ExpectReference(check, "cone", scene, PlaceBound);
+  light->SetConeAngle(60.0);
+  ExpectReference(check, "exponent", scene, PlaceBound);
+  light->SetExponent(1.0);
   light->SetConeAngle(180.0);
   light->SetIntensity(2.0);
   light->SetAttenuationValues(0.5, 0.4, 0.3);
-  ExpectReference(check, "fall-off", scene, Bound);
+  ExpectReference(check, "fall-off", scene, PlaceBound);
 }
 
 void TestColors(Check& check)
@@ -162,7 +168,7 @@ void TestProjective(Check& check)
     light->InterpolateOff();
     light->SetEdgeWidth(0.0);
     // Edges of the screen and of its samples are as wide as a slab is thick.
-    ExpectReference(check, "sharp slide" + kind, scene, { 0.1, 0.001 });
+    ExpectReference(check, "sharp slide" + kind, scene, { 0.03, 0.0004 });
   }
 }
 
@@ -198,7 +204,7 @@ void TestSeveral(Check& check)
       MakeDirectionalLight({ { std::cos(0.9 * i), -0.6 + 0.2 * i, std::sin(0.9 * i) } }));
     scene.Lights.back()->SetIntensity(0.15);
   }
-  ExpectReference(check, "seven lights around", scene, { 0.06, 0.0015 });
+  ExpectReference(check, "seven lights around", scene, Bound);
 }
 
 /// Only the brightest cast shadows.
