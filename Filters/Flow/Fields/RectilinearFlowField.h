@@ -13,8 +13,8 @@ namespace interlume
  * @class   RectilinearFlowField
  * @brief   a field on a rectilinear grid
  *
- * Errors of Build: those of the arrays; a grid without cells of dimension 3; coordinates that
- * neither ascend nor descend from each point to the next.
+ * Errors of Build: those of the arrays; a grid without cells of dimension 3; coordinates that turn
+ * back, repeat or are not finite.
  */
 class RectilinearFlowField : public IndexedFlowField
 {

@@ -13,6 +13,7 @@
 #include "vtkSOADataArrayTemplate.h"
 #include "vtkUniformGrid.h"
 
+#include <cmath>
 #include <limits>
 
 namespace
@@ -304,7 +305,10 @@ void CheckErrors(Check& check)
   auto grid = MakeRectilinear(1.0, 1.0, false);
   auto gridVectors = AddRandomVectors(grid, 1);
   grid->GetYCoordinates()->SetTuple1(2, -5.0);
-  expect(grid, gridVectors, {}, "the coordinates along y neither ascend nor descend to number 2");
+  expect(grid, gridVectors, {},
+    "the coordinates along y turn back or repeat at number 2 (-5 after 0.7)");
+  grid->GetYCoordinates()->SetTuple1(2, std::nan(""));
+  expect(grid, gridVectors, {}, "the coordinate along y of number 2 is not finite");
   vtkNew<vtkPolyData> surface;
   expect(surface, vectors, {}, "a field is no vtkPolyData");
   expect(nullptr, vectors, {}, "there is no dataset");
