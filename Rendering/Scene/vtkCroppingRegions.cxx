@@ -62,14 +62,14 @@ vtkCroppingRegions::vtkCroppingRegions(
   std::array<Range, 3> kept{};
   for (int axis = 0; axis < 3; ++axis)
   {
-    // A region is the number of thresholds below it, whichever of both comes first.
+    // A region is the number of thresholds below it. Therefore they may be in any order.
     const auto [lower, upper] = std::minmax(planes[2 * axis], planes[2 * axis + 1]);
     const double* row = linesToVolume.data() + 4 * axis;
     const double length = std::hypot(row[0], row[1], row[2]);
     this->Axes[axis] = { { row[0] / length, row[1] / length, row[2] / length } };
     const auto toLines = [row, length](double bound) { return (bound - row[3]) / length; };
     this->Thresholds[axis] = { { toLines(lower), toLines(upper) } };
-    // Where nothing is kept the flags alone take all away.
+    // If no region is kept, the flags alone remove everything.
     kept[axis] = this->Flags == 0 ? Range{ { 0, 2 } } : FindRange(this->Flags, axis);
     const std::array<double, 4> borders{ { -Infinity, lower, upper, Infinity } };
     this->VolumeBounds[axis] = { { borders[kept[axis][0]], borders[kept[axis][1] + 1] } };

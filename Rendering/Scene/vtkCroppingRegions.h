@@ -28,15 +28,15 @@ public:
   /// Keeps everything.
   vtkCroppingRegions() = default;
   /**
-   * Keeps the regions of the mapper's six planes and flags. Lines are in coordinates from which
-   * \a linesToVolume leads to the volume's own.
+   * Keeps the regions of the mapper's six planes and flags. \a linesToVolume transforms from the
+   * coordinates of lines to the volume's own.
    */
   vtkCroppingRegions(const std::array<double, 6>& planes, int flags, const Matrix& linesToVolume);
 
   /**
-   * Cuts \a box, lower and upper along each axis, with the half spaces; \a boxToVolume leads from
-   * its coordinates to the volume's own. Half spaces that are oblique to the box are appended to
-   * \a planes: (a, b, c, d) with a x + b y + c z + d >= 0 in the coordinates of lines.
+   * Cuts \a box, lower and upper along each axis, with the half spaces. \a boxToVolume transforms
+   * from its coordinates to the volume's own. Half spaces that are oblique to the box are appended
+   * to \a planes: (a, b, c, d) with a x + b y + c z + d >= 0 in the coordinates of lines.
    */
   void Cut(const Matrix& boxToVolume, Box& box, Planes& planes) const;
 
@@ -56,7 +56,8 @@ private:
   /// The axes of the volume, of length 1 in the coordinates of lines, and the thresholds there.
   std::array<std::array<double, 3>, 3> Axes{};
   Box Thresholds{};
-  /// The half spaces in the volume's own coordinates and along the axes; infinite for none.
+  /// Bounds of the half spaces in the volume's own coordinates and along the axes; infinite if
+  /// there is no bound.
   Box VolumeBounds{};
   Box Bounds{};
 };
