@@ -101,12 +101,12 @@ double ReachedBoundary::GetPosition(
   double other[3];
   this->Samples->GetPoint(answers[line.Reached].Sample, x);
   this->Samples->GetPoint(answers[line.Other].Sample, other);
-  const glm::dvec3 way = Vectors::Difference(other, x);
+  const glm::dvec3 offset = Vectors::Difference(other, x);
   for (int axis = 0; axis < 3; ++axis)
   {
-    x[axis] += fraction * way[axis];
+    x[axis] += fraction * offset[axis];
   }
-  return Vectors::SafeLength(way);
+  return Vectors::SafeLength(offset);
 }
 
 bool ReachedBoundary::Bisect(const Answers& answers)
@@ -119,15 +119,15 @@ bool ReachedBoundary::Bisect(const Answers& answers)
       [&](vtkIdType number, double x[3])
       {
         const Line& line = this->Lines[static_cast<std::size_t>(number)];
-        this->GetPosition(answers, line, line.GetPlace(), x);
+        this->GetPosition(answers, line, line.GetFraction(), x);
       },
       [this](vtkIdType number, const AdvectionResult& result)
       {
         Line& line = this->Lines[static_cast<std::size_t>(number)];
-        const double middle = line.GetPlace();
+        const double midpoint = line.GetFraction();
         const bool isReached =
           result.Status == vtkFlowStatus::REACHED_SURFACE && result.Id == line.Id;
-        (isReached ? line.First : line.Last) = middle;
+        (isReached ? line.First : line.Last) = midpoint;
         if (isReached)
         {
           line.Result = result;
@@ -149,7 +149,7 @@ void ReachedBoundary::SetDistances(Answers& answers) const
     for (const bool isReached : { true, false })
     {
       double& log = logs[isReached ? line.Reached : line.Other];
-      const double part = isReached ? line.GetPlace() : 1.0 - line.GetPlace();
+      const double part = isReached ? line.GetFraction() : 1.0 - line.GetFraction();
       log = std::min(log, std::log(part * length));
     }
   }
@@ -164,7 +164,7 @@ void ReachedBoundary::SetDistances(Answers& answers) const
     std::fill(numbers.begin(), numbers.end(), 0);
     for (const Line& line : this->Lines)
     {
-      const double ratio = std::log(line.GetPlace() / (1.0 - line.GetPlace()));
+      const double ratio = std::log(line.GetFraction() / (1.0 - line.GetFraction()));
       const std::size_t to = setsReached ? line.Reached : line.Other;
       sums[to] += setsReached ? logs[line.Other] + ratio : logs[line.Reached] - ratio;
       ++numbers[to];
@@ -211,7 +211,7 @@ void ReachedBoundary::Extrapolate(const GetResult& getResult, Answers& answers) 
     }
     std::vector<double>& sum = sums[line.Other];
     sum.resize(start.size(), 0.0);
-    // What is extrapolated from a short way counts little. One place alone is not extrapolated.
+    // What is extrapolated over a short distance counts little. A single value is not extrapolated.
     const double weight = std::max(line.First, 1e-9);
     for (std::size_t i = 0; i < sum.size(); ++i)
     {

@@ -46,8 +46,8 @@ public:
   ReachedBoundary(Streamlines& streamlines, const AdvectionOptions& options, vtkDataSet* samples,
     const ImplicitFlowArrays& arrays, double progress);
 
-  /// Finds the answers of all samples of the pairs, ascending by sample. If processes have parts of
-  /// the field, all of them call this. Returns false if the execution was aborted.
+  /// Computes the answers of all samples of the pairs, ascending by sample. If processes have parts
+  /// of the field, all of them call this. Returns false if the execution was aborted.
   bool Find(const std::vector<BeyondCorners::Pair>& pairs, const GetResult& getResult,
     std::vector<Answer>& answers);
 
@@ -64,7 +64,7 @@ private:
     AdvectionResult Result;
 
     /// Returns the fraction of the boundary, which is neither 0 nor 1.
-    double GetPlace() const { return 0.5 * (this->First + this->Last); }
+    double GetFraction() const { return 0.5 * (this->First + this->Last); }
   };
   using Answers = std::vector<Answer>;
 
