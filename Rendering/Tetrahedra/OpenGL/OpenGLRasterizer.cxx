@@ -31,6 +31,12 @@ namespace interlume
 namespace
 {
 
+// Returns whether pixels hold the largest scalar instead of colors; -1 where there is none.
+bool HoldsScalars(const TetrahedraFrame& frame)
+{
+  return frame.Blend == TetrahedraFrame::MAXIMUM && frame.Fields->Kind == TetrahedraFields::SCALARS;
+}
+
 // Computes six times the volume of every tetrahedron, in mesh coordinates, before those are
 // rounded.
 std::vector<float> MakeVolumes(const TetrahedraMesh& mesh)
@@ -337,8 +343,7 @@ void OpenGLRasterizer::SetUniforms(
 
 void OpenGLRasterizer::Clear(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame)
 {
-  window->GetState()->vtkglClearColor(
-    frame.Blend == TetrahedraFrame::MAXIMUM ? -1.0f : 0.0f, 0.0f, 0.0f, 0.0f);
+  window->GetState()->vtkglClearColor(HoldsScalars(frame) ? -1.0f : 0.0f, 0.0f, 0.0f, 0.0f);
   glClear(GL_COLOR_BUFFER_BIT);
 }
 
@@ -372,9 +377,7 @@ void OpenGLRasterizer::DrawRange(vtkOpenGLRenderWindow* window, const Tetrahedra
 void OpenGLRasterizer::Resolve(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
   vtkTextureObject* texture, bool isResolved)
 {
-  const bool isLargestScalar =
-    frame.Blend == TetrahedraFrame::MAXIMUM && frame.Fields->Kind == TetrahedraFields::SCALARS;
-  if (!isResolved && isLargestScalar)
+  if (!isResolved && HoldsScalars(frame))
   {
     this->ResolveQuad.DrawWith(window, texture,
       vtkShaderFeatures::Insert(InterlumeResolveFS, "LARGEST_SCALAR"),
