@@ -89,7 +89,7 @@ std::string DamageCells(FuzzRandom& random, vtkUnstructuredGrid* grid)
         return {};
       }
       types->SetValue(cell,
-        size >= 8 ? VTK_QUADRATIC_HEXAHEDRON
+        size >= 8 ? static_cast<unsigned char>(VTK_QUADRATIC_HEXAHEDRON)
                   : random.Pick<unsigned char>({ VTK_QUADRATIC_HEXAHEDRON, VTK_LAGRANGE_HEXAHEDRON,
                       VTK_BEZIER_HEXAHEDRON }));
       break;

@@ -310,13 +310,14 @@ void AddCellArray(FuzzData& data)
   data.Data->GetCellData()->AddArray(array);
 }
 
-/// Adds a permutation as global ids of a random type, sometimes too short.
+/// Adds a permutation as global ids of a random type. Unless the data are tame, they may be too
+/// short or floating-point numbers, which is an error.
 void AddGlobalIds(FuzzRandom& random, FuzzData& data)
 {
   static const std::vector<int> types = { VTK_ID_TYPE, VTK_INT, VTK_LONG_LONG, VTK_UNSIGNED_INT,
-    VTK_UNSIGNED_LONG_LONG, VTK_SHORT, VTK_DOUBLE };
-  const auto ids =
-    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(random.Pick(types)));
+    VTK_UNSIGNED_LONG_LONG, VTK_SHORT };
+  const int type = !data.IsTame && random.Chance(0.1) ? VTK_DOUBLE : random.Pick(types);
+  const auto ids = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
   ids->SetName("global ids");
   const vtkIdType points = data.Data->GetNumberOfPoints();
   const bool isShort = !data.IsTame && points > 0 && random.Chance(0.1);
