@@ -134,17 +134,12 @@ set_tests_properties(TestPluginKilledRank PROPERTIES RUN_SERIAL ON)
 # What the server says of its client's end is looked at by the test itself.
 set_tests_properties(TestPluginKilledClient PROPERTIES FAIL_REGULAR_EXPRESSION "Traceback")
 
-file(GLOB server_manager_xml "${PROJECT_SOURCE_DIR}/Plugin/*.xml")
 if (TARGET Interlume_qch)
+  file(GLOB server_manager_xml "${PROJECT_SOURCE_DIR}/Plugin/*.xml")
   plugin_test(TestPluginHelp "paraview;value" "${Python3_EXECUTABLE}" "${script}/TestPluginHelp.py"
     "${PROJECT_BINARY_DIR}/Plugin/paraview_help/Interlume.qch" $<TARGET_FILE:Interlume>
     ${server_manager_xml})
 endif ()
-
-plugin_test(TestPluginPropertyPage "paraview;value" "${Python3_EXECUTABLE}"
-  "${PROJECT_SOURCE_DIR}/Plugin/Help/make_properties.py" --check
-  "${PROJECT_SOURCE_DIR}/Documentation/guide/properties.md" ${server_manager_xml})
-set_tests_properties(TestPluginPropertyPage PROPERTIES FAIL_REGULAR_EXPRESSION "is not what the XML says")
 
 if (INTERLUME_PYTHON)
   plugin_test(TestPluginPython "paraview;value" ${batch} "${script}/TestPluginPython.py")
