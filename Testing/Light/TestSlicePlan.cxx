@@ -693,6 +693,19 @@ void CheckScreens(Check& check)
   }
 }
 
+// A camera as far away as 1e300 leaves no ray to a corner: the view's direction remains.
+void CheckEyeWithoutPosition(Check& check)
+{
+  const interlume::UnitSpace space = MakeCube();
+  Eye eye = MakeParallel(glm::dvec3(0.0, 0.0, -1.0));
+  eye.IsParallel = false;
+  eye.Position = glm::dvec3(std::numeric_limits<double>::quiet_NaN());
+  check.SetContext("eye without a position");
+  check.Equal(Plan(eye, {}, space).Sweeps.front().Normal == eye.Direction, true, "along the view");
+  const Sweep sweep = Plan(eye, { MakeDirectional(glm::dvec3(0.0, -1.0, 0.0)) }, space).Sweeps[0];
+  check.Near(glm::length(sweep.Normal), 1.0, 1e-12, "length of the normal", 1.0);
+}
+
 void CheckOctahedralMap(Check& check)
 {
   Random random(5);
@@ -736,6 +749,7 @@ int TestSlicePlan(int, char*[])
   CheckHalves(check);
   CheckSettings(check);
   CheckScreens(check);
+  CheckEyeWithoutPosition(check);
   CheckOctahedralMap(check);
   CheckRandomLight(check);
   CheckRandomLights(check);

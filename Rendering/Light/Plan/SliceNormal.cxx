@@ -124,6 +124,11 @@ double SliceNormal::FindBest()
 {
   // The method of Gilbert, Johnson and Keerthi goes from simplex to simplex of the hull, always
   // nearer to 0.
+  this->BestRatio = 0.0;
+  if (this->Rays.empty())
+  {
+    return 0.0;
+  }
   Nearest nearest;
   nearest.Corners = { this->Rays.front() };
   nearest.Point = this->Rays.front();
@@ -149,7 +154,6 @@ double SliceNormal::FindBest()
     nearest = nearer;
   }
   const double length = Vectors::SafeLength(nearest.Point);
-  this->BestRatio = 0.0;
   if (length > Smallest)
   {
     this->Best = Normalize(nearest.Point, nearest.Point);

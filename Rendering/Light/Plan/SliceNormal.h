@@ -25,8 +25,8 @@ public:
   void Add(const glm::dvec3& ray, double cosine);
   void Add(const std::vector<glm::dvec3>& rays, double sign, double cosine);
 
-  /// Finds the best normal, and returns its m; 0 if every normal is perpendicular to some ray or
-  /// goes against it.
+  /// Finds the best normal, and returns its m; 0 without rays, and if every normal is perpendicular
+  /// to some ray or goes against it.
   double FindBest();
   /// The best normal after FindBest; not defined where that was 0.
   const glm::dvec3& GetBest() const { return this->Best; }
