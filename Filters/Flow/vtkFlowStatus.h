@@ -100,10 +100,10 @@ public:
    * useless, which readers find out by the positions.
    *
    * If the field has hidden cells or points, or vectors that are not finite, there are such tuples
-   * too for the corners of cells only some of which reach a surface. Their distances are from the
-   * boundary of what reaches it, up to a factor; the normal is 0 and not known. The side is TOWARDS
-   * for samples that reach the surface, and -AWAY for others, whose other arrays have values that
-   * are extrapolated from what reaches it.
+   * too for the corners of cells only some of which reach a surface; a sample may have one of each.
+   * Their distances are from the boundary of what reaches it, up to a factor; the normal is 0 and
+   * not known. The side is TOWARDS for samples that reach the surface, and -AWAY for others, whose
+   * other arrays have values that are extrapolated from what reaches it.
    */
   static const char* BeyondPrefix() { return "Beyond"; }
   /// The name of the point array of vtkInflowMapping (double, one component), NaN where there is no

@@ -265,26 +265,15 @@ bool IsBefore(const BeyondCorners::Corner& a, const BeyondCorners::Corner& b)
     std::make_tuple(b.Sample, std::abs(b.Distance), b.Surface);
 }
 
-// Sorts pairs, and removes those that are there twice or have a sample among \a corners.
-void Reduce(
-  const std::vector<BeyondCorners::Corner>& corners, std::vector<BeyondCorners::Pair>& pairs)
+// Sorts pairs, and removes those that are there twice.
+void Reduce(std::vector<BeyondCorners::Pair>& pairs)
 {
   using Pair = BeyondCorners::Pair;
-  const auto isCorner = [&corners](vtkIdType sample)
-  {
-    const auto found = std::lower_bound(corners.begin(), corners.end(), sample,
-      [](const BeyondCorners::Corner& corner, vtkIdType id) { return corner.Sample < id; });
-    return found != corners.end() && found->Sample == sample;
-  };
   const auto get = [](const Pair& pair) { return std::make_pair(pair.Reached, pair.Other); };
   std::sort(
     pairs.begin(), pairs.end(), [&get](const Pair& a, const Pair& b) { return get(a) < get(b); });
   pairs.erase(std::unique(pairs.begin(), pairs.end(),
                 [&get](const Pair& a, const Pair& b) { return get(a) == get(b); }),
-    pairs.end());
-  pairs.erase(
-    std::remove_if(pairs.begin(), pairs.end(),
-      [&isCorner](const Pair& pair) { return isCorner(pair.Reached) || isCorner(pair.Other); }),
     pairs.end());
 }
 }
@@ -338,7 +327,7 @@ std::vector<BeyondCorners::Corner> BeyondCorners::Find(vtkDataSet* samples,
     {
       pairs->insert(pairs->end(), own.begin(), own.end());
     }
-    Reduce(found, *pairs);
+    Reduce(*pairs);
   }
   return found;
 }

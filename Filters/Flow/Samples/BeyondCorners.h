@@ -51,7 +51,7 @@ public:
   /// Finds the corners, ascending by sample, each once, with the nearest surface. \a options must
   /// not change while they are used. If \a pairs is not null, it becomes the pairs in all other
   /// cells whose corners reach one surface or none: the ends of edges, and for a corner without
-  /// such an edge the nearest other one. No sample of a pair is among the corners found.
+  /// such an edge the nearest other one.
   static std::vector<Corner> Find(vtkDataSet* samples, const ImplicitFlowArrays& arrays,
     const AdvectionOptions& options, std::vector<Pair>* pairs = nullptr);
 };

@@ -59,7 +59,8 @@ BeyondSamples::BeyondSamples(vtkDataSet* data)
   {
     return;
   }
-  std::vector<vtkIdType> rows(static_cast<std::size_t>(data->GetNumberOfPoints()), -1);
+  const std::vector<vtkIdType> none(static_cast<std::size_t>(data->GetNumberOfPoints()), -1);
+  std::array<std::vector<vtkIdType>, 2> rows{ { none, none } };
   for (vtkIdType row = 0; row < this->Number; ++row)
   {
     const vtkIdType point = this->GetPoint(row);
@@ -75,9 +76,9 @@ BeyondSamples::BeyondSamples(vtkDataSet* data)
     {
       return;
     }
-    rows[static_cast<std::size_t>(point)] = row;
+    rows[this->HasSurface(row) ? 0 : 1][static_cast<std::size_t>(point)] = row;
   }
-  this->RowOfPoint = std::move(rows);
+  this->RowsOfPoints = std::move(rows);
 }
 
 vtkIdType BeyondSamples::GetPoint(vtkIdType row) const
@@ -123,12 +124,14 @@ BeyondSamples::Parts BeyondSamples::GetParts(
   const ImplicitFlowArrays& arrays, const vtkIdType* corners, vtkIdType number) const
 {
   Parts parts;
+  const bool isBoundary = std::any_of(
+    corners, corners + number, [this](vtkIdType p) { return this->GetRow(p, false) < 0; });
   for (vtkIdType i = 0; i < number; ++i)
   {
-    const vtkIdType row = this->GetRow(corners[i]);
+    const vtkIdType row = this->GetRow(corners[i], isBoundary);
     if (row < 0 || this->Surfaces->GetComponent(row, 0) == StandsStill ||
       this->Surfaces->GetComponent(row, 0) !=
-        this->Surfaces->GetComponent(this->GetRow(corners[0]), 0))
+        this->Surfaces->GetComponent(this->GetRow(corners[0], isBoundary), 0))
     {
       return parts;
     }
@@ -138,13 +141,13 @@ BeyondSamples::Parts BeyondSamples::GetParts(
   parts.IsResolved = true;
   for (const int side : { 1, -1 })
   {
-    Part part{ side, -1, true, true };
+    Part part{ side, -1, true, true, isBoundary };
     vtkIdType there = 0;
     vtkIdType reached = 0;
     bool isOne = true;
     for (vtkIdType i = 0; i < number; ++i)
     {
-      const vtkIdType row = this->GetRow(corners[i]);
+      const vtkIdType row = this->GetRow(corners[i], isBoundary);
       isOn = isOn || this->GetSide(row) == 0;
       if (this->GetSide(row) != side)
       {
@@ -169,7 +172,7 @@ BeyondSamples::Parts BeyondSamples::GetParts(
 BeyondSamples::Roles BeyondSamples::GetRole(
   const ImplicitFlowArrays& arrays, vtkIdType corner, const Part& part) const
 {
-  const vtkIdType row = this->GetRow(corner);
+  const vtkIdType row = this->GetRow(corner, part.IsBoundary);
   const bool isReached = arrays.IsReached(corner) && arrays.GetId(corner) == part.Id;
   if (this->GetSide(row) == part.Side || (this->GetSide(row) == 0 && part.IsNear && isReached))
   {

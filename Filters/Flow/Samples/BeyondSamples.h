@@ -7,6 +7,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ class ImplicitFlowArrays;
  * Reads the field arrays that vtkFlowStatus::BeyondPrefix describes, and says with them which parts
  * of a cell that a surface passes through have one answer: the part above the surface, where its
  * distance is, and the part below.
+ *
+ * A sample may have one row of a surface and one of the boundary of what reaches a surface. A cell
+ * all of whose corners have rows of a surface is of that surface, any other one of the boundary.
  *
  * Arrays whose positions are not those of the dataset's points belong to another dataset, and are
  * not used.
@@ -53,7 +57,7 @@ public:
 
   explicit BeyondSamples(vtkDataSet* data);
 
-  bool IsEmpty() const { return this->RowOfPoint.empty(); }
+  bool IsEmpty() const { return this->RowsOfPoints[0].empty(); }
   vtkIdType GetNumber() const { return this->Number; }
 
   /// The samples on one side of the surface in a cell.
@@ -66,6 +70,8 @@ public:
     /// Whether streamlines leave for the surface from all of them, or from none.
     bool IsNear = false;
     bool IsFar = false;
+    /// True if what parts the cell is the boundary of what reaches a surface.
+    bool IsBoundary = false;
   };
   struct Parts
   {
@@ -88,10 +94,11 @@ public:
   };
   Roles GetRole(const ImplicitFlowArrays& arrays, vtkIdType corner, const Part& part) const;
 
-  /// Returns the row of a point in the arrays, -1 without one.
-  vtkIdType GetRow(vtkIdType point) const
+  /// Returns the row of a point in the arrays, that of the boundary of what reaches a surface or
+  /// that of a surface; -1 without one.
+  vtkIdType GetRow(vtkIdType point, bool isBoundary) const
   {
-    return this->RowOfPoint[static_cast<std::size_t>(point)];
+    return this->RowsOfPoints[isBoundary ? 1 : 0][static_cast<std::size_t>(point)];
   }
   vtkIdType GetPoint(vtkIdType row) const;
   /// Returns the distance from the surface, 0 and above.
@@ -119,7 +126,7 @@ private:
   vtkSmartPointer<vtkDataArray> Sides;
   vtkSmartPointer<vtkDataArray> Ids;
   vtkSmartPointer<vtkDataArray> Times;
-  std::vector<vtkIdType> RowOfPoint;
+  std::array<std::vector<vtkIdType>, 2> RowsOfPoints;
 };
 
 }

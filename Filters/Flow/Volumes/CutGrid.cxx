@@ -45,8 +45,9 @@ vtkIdType CutGrid::Take(const Point& point)
 {
   // The side does not matter for a point whose values are known.
   const int side = point.Kind == BeyondSamples::UNKNOWN ? point.Side : 0;
-  const auto added = this->Known.emplace(
-    std::make_tuple(point.Sample, point.Kind, side), static_cast<vtkIdType>(this->Points.size()));
+  const auto added =
+    this->Known.emplace(std::make_tuple(point.Sample, point.Kind, side, point.IsBoundary),
+      static_cast<vtkIdType>(this->Points.size()));
   if (added.second)
   {
     this->Points.push_back(point);
@@ -84,11 +85,13 @@ void CutGrid::FindCells(vtkDataSet* input, const BeyondSamples& beyond,
       isCut = true;
       this->Cells.push_back(cell);
       const vtkIdType other = *std::find_if(corners->begin(), corners->end(),
-        [&](vtkIdType p) { return beyond.GetSide(beyond.GetRow(p)) == part.Side; });
+        [&](vtkIdType p)
+        { return beyond.GetSide(beyond.GetRow(p, part.IsBoundary)) == part.Side; });
       for (const vtkIdType corner : *corners)
       {
         const BeyondSamples::Roles kind = beyond.GetRole(arrays, corner, part);
-        this->Ids.push_back(this->Take({ corner, kind, other, part.IsNear, part.Side }));
+        this->Ids.push_back(
+          this->Take({ corner, kind, other, part.IsNear, part.Side, part.IsBoundary }));
       }
     }
     numberOfCells += isCut ? 1 : 0;
@@ -174,7 +177,7 @@ void CutGrid::SetValues(vtkDataSet* input, const BeyondSamples& beyond,
   for (vtkIdType p = 0; p < number; ++p)
   {
     const Point& point = this->Points[static_cast<std::size_t>(p)];
-    const vtkIdType row = beyond.GetRow(point.Sample);
+    const vtkIdType row = beyond.GetRow(point.Sample, point.IsBoundary);
     const double gap = beyond.GetDistance(row);
     gaps->SetValue(p, point.Kind == BeyondSamples::OWN ? gap : -gap);
     double normal[3];
@@ -186,7 +189,7 @@ void CutGrid::SetValues(vtkDataSet* input, const BeyondSamples& beyond,
     double nearTime = beyond.GetNearTime(arrays, row);
     if (point.Kind == BeyondSamples::UNKNOWN)
     {
-      const vtkIdType other = beyond.GetRow(point.Other);
+      const vtkIdType other = beyond.GetRow(point.Other, point.IsBoundary);
       nearTime = -beyond.GetNearTime(arrays, other) * (gap / beyond.GetDistance(other));
       if (point.IsNear && beyond.HasSurface(row))
       {
@@ -210,7 +213,7 @@ void CutGrid::SetValues(vtkDataSet* input, const BeyondSamples& beyond,
       const Point& point = this->Points[static_cast<std::size_t>(p)];
       if (point.Kind == BeyondSamples::KNOWN)
       {
-        array->SetTuple(p, beyond.GetRow(point.Sample), other);
+        array->SetTuple(p, beyond.GetRow(point.Sample, point.IsBoundary), other);
       }
     }
   }

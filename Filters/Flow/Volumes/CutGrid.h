@@ -67,8 +67,9 @@ private:
     /// A corner of the part that the point was made for.
     vtkIdType Other;
     bool IsNear;
-    /// The side of that part, 1 or -1.
+    /// The side of that part, 1 or -1, and whether the boundary of what reaches a surface parts it.
     int Side;
+    bool IsBoundary;
   };
   vtkIdType Take(const Point& point);
   void FindCells(vtkDataSet* input, const BeyondSamples& beyond, const ImplicitFlowArrays& arrays,
@@ -79,7 +80,7 @@ private:
     vtkPointData* to) const;
 
   std::vector<Point> Points;
-  std::map<std::tuple<vtkIdType, int, int>, vtkIdType> Known;
+  std::map<std::tuple<vtkIdType, int, int, bool>, vtkIdType> Known;
   // The input's cells of all parts, and the ids of the points.
   std::vector<vtkIdType> Cells;
   std::vector<vtkIdType> Ids;

@@ -335,6 +335,11 @@ std::vector<vtkIdType> SurfaceCuts::FindIds(
     {
       added.push_back(static_cast<vtkIdType>(p));
     }
+    if (origins.IsKnown[p])
+    {
+      // A point of cells that are cut at a surface and of others that are cut at the boundary.
+      known[origins.Known[p]] = ids[p];
+    }
   }
   return ids;
 }

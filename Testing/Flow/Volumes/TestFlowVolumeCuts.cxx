@@ -4,9 +4,9 @@
 // with times and parameters up to the surface, fitting to the cells beside them.
 #include "Flows/ReferenceFlowAnswers.h"
 #include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
 #include "Reference/Checks/ReferenceThreads.h"
 #include "Reference/Flow/ReferenceFlowGrid.h"
+#include "Reference/Flow/ReferenceFlowVolume.h"
 
 #include "vtkFlowVolume.h"
 #include "vtkImplicitFlowField.h"
@@ -21,7 +21,6 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkTetra.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -59,58 +58,6 @@ vtkSmartPointer<vtkDataSet> MakeSamples(const Case& one, int points = 33)
   return vtkDataSet::SafeDownCast(field->GetOutputDataObject(0));
 }
 
-/// The same without what samples have beyond surfaces, as before cells were cut.
-vtkSmartPointer<vtkDataSet> MakeUncut(vtkDataSet* samples)
-{
-  vtkSmartPointer<vtkDataSet> bare = vtk::TakeSmartPointer(samples->NewInstance());
-  bare->ShallowCopy(samples);
-  bare->GetFieldData()->RemoveArray("BeyondSampleId");
-  return bare;
-}
-
-vtkSmartPointer<vtkUnstructuredGrid> Extract(vtkDataSet* samples)
-{
-  vtkNew<vtkFlowVolume> volume;
-  ExpectWarnings(volume);
-  volume->SetInputData(samples);
-  volume->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  volume->Update();
-  return volume->GetOutput();
-}
-
-/// The volume of the tetrahedra whose middle is in a region.
-double Measure(
-  vtkUnstructuredGrid* mesh, const std::function<bool(const double*)>& isInside = nullptr)
-{
-  double sum = 0.0;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
-  {
-    mesh->GetCellPoints(cell, ids);
-    double x[4][3];
-    double middle[3] = { 0, 0, 0 };
-    for (int i = 0; i < 4; ++i)
-    {
-      mesh->GetPoint(ids->GetId(i), x[i]);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        middle[axis] += 0.25 * x[i][axis];
-      }
-    }
-    sum += !isInside || isInside(middle) ? vtkTetra::ComputeVolume(x[0], x[1], x[2], x[3]) : 0.0;
-  }
-  return sum;
-}
-
-vtkSmartPointer<vtkTerminationPlane> MakePlane(double x)
-{
-  auto plane = vtkSmartPointer<vtkTerminationPlane>::New();
-  plane->SetOrigin(x, -5, -5);
-  plane->SetPoint1(x, 5, -5);
-  plane->SetPoint2(x, -5, 5);
-  return plane;
-}
-
 const Vector Center{ { 0.013, -0.021, 0.017 } };
 
 vtkSmartPointer<vtkTerminationSphere> MakeSphere(double radius)
@@ -136,6 +83,7 @@ void TestVolumes(Check& check)
   const double ball = 4.0 / 3.0 * Pi * std::pow(radius, 3);
   const auto isInBall = [](const double* x)
   { return std::sqrt(vtkMath::Distance2BetweenPoints(x, Center.data())) < radius; };
+  const auto everywhere = [](const double*) { return true; };
   struct
   {
     const char* Name;
@@ -143,17 +91,17 @@ void TestVolumes(Check& check)
     std::function<bool(const double*)> IsInside;
     double Exact;
   } const cases[] = {
-    { "plane between layers", { Along, MakePlane(0.53), false }, nullptr, 4 * 0.47 },
-    { "ball of outward flow", { Outward, MakeSphere(radius), true }, nullptr, ball },
+    { "plane between layers", { Along, MakeWidePlane(0.53), false }, everywhere, 4 * 0.47 },
+    { "ball of outward flow", { Outward, MakeSphere(radius), true }, everywhere, ball },
     { "ball in uniform flow", { Along, MakeSphere(radius), false }, isInBall, ball },
-    { "sphere of a source", { Outward, MakeSphere(radius), false }, nullptr, 8 - ball },
+    { "sphere of a source", { Outward, MakeSphere(radius), false }, everywhere, 8 - ball },
   };
   for (const auto& one : cases)
   {
     check.SetContext(one.Name);
     const auto samples = MakeSamples(one.One);
-    const double found = Measure(Extract(samples), one.IsInside);
-    const double before = Measure(Extract(MakeUncut(samples)), one.IsInside);
+    const double found = MeasureVolumeIn(ExtractFlow(samples), one.IsInside);
+    const double before = MeasureVolumeIn(ExtractUncutFlow(samples), one.IsInside);
     std::cout << one.Name << ": " << 100.0 * (before / one.Exact - 1.0) << " % before, "
               << 100.0 * (found / one.Exact - 1.0) << " %\n";
     check.Near(found, one.Exact, 0.02, "volume");
@@ -168,7 +116,7 @@ void TestRefinement(Check& check)
   AddVectors(image, Along);
   vtkNew<vtkImplicitFlowField> field;
   field->SetInputData(image);
-  field->AddTerminationSurface(MakePlane(0.1));
+  field->AddTerminationSurface(MakeWidePlane(0.1));
   field->SetRefinementLevels(1);
   field->Update();
   check.Equal(field->GetReport().RefinedCells[0], 0, "cells beside a plane");
@@ -188,7 +136,7 @@ void TestOblique(Check& check)
   const auto samples = MakeSamples({ [](const Vector&) {
                                       return Vector{ { 1, 0.3, 0.2 } };
                                     },
-                                     MakePlane(place), false },
+                                     MakeWidePlane(place), false },
     12);
   vtkNew<vtkInflowMapping> mapping;
   mapping->SetInputData(samples);
@@ -287,7 +235,7 @@ void TestReturning(Check& check)
   plane->SetPoint2(0, 0, 2);
   const auto rotation = [](const Vector& x) { return Vector{ { -x[1], x[0], 0.0 } }; };
   const auto samples = MakeSamples({ rotation, plane, false }, 16);
-  const auto whole = Extract(samples);
+  const auto whole = ExtractFlow(samples);
   vtkUnstructuredGrid* mesh = whole;
   double times[2] = { 10.0, -1.0 };
   for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
@@ -303,9 +251,10 @@ void TestReturning(Check& check)
   check.Near(times[1], 2.0 * Pi, 1e-5, "to the surface", 1.0);
   const auto isRight = [](const double* x)
   { return x[0] > 0.2 && x[0] < 0.8 && std::abs(x[1]) < 0.4; };
-  check.Near(Measure(whole, isRight), 2.0 * 0.6 * 0.8, 0.1, "no gap beside it");
+  check.Near(MeasureVolumeIn(whole, isRight), 2.0 * 0.6 * 0.8, 0.1, "no gap beside it");
   check.That(
-    Measure(Extract(MakeUncut(samples)), isRight) < 0.9 * Measure(whole, isRight), "as there was");
+    MeasureVolumeIn(ExtractUncutFlow(samples), isRight) < 0.9 * MeasureVolumeIn(whole, isRight),
+    "as there was");
 }
 
 void TestThreads(Check& check)
@@ -316,7 +265,7 @@ void TestThreads(Check& check)
     []()
     {
       auto copy = vtkSmartPointer<vtkUnstructuredGrid>::New();
-      copy->ShallowCopy(Extract(MakeSamples({ Along, MakeSphere(0.5), false }, 14)));
+      copy->ShallowCopy(ExtractFlow(MakeSamples({ Along, MakeSphere(0.5), false }, 14)));
       return std::vector<vtkSmartPointer<vtkUnstructuredGrid>>{ copy };
     },
     check);
