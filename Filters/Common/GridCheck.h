@@ -37,15 +37,20 @@ namespace interlume
 namespace GridCheck
 {
 /// Returns the least number of points of a type of cells that may have more: the corners of types
-/// of any order. 0 for other types.
+/// of any order, and what polygons and cells like them need. 0 for other types.
 inline int GetLeastCorners(unsigned char type)
 {
   switch (type)
   {
+    case VTK_POLY_VERTEX:
+      return 1;
+    case VTK_POLY_LINE:
     case VTK_HIGHER_ORDER_EDGE:
     case VTK_LAGRANGE_CURVE:
     case VTK_BEZIER_CURVE:
       return 2;
+    case VTK_TRIANGLE_STRIP:
+    case VTK_POLYGON:
     case VTK_HIGHER_ORDER_TRIANGLE:
     case VTK_HIGHER_ORDER_POLYGON:
     case VTK_LAGRANGE_TRIANGLE:
@@ -57,6 +62,7 @@ inline int GetLeastCorners(unsigned char type)
     case VTK_HIGHER_ORDER_TETRAHEDRON:
     case VTK_LAGRANGE_TETRAHEDRON:
     case VTK_BEZIER_TETRAHEDRON:
+    case VTK_CONVEX_POINT_SET:
     case VTK_POLYHEDRON:
       return 4;
     case VTK_HIGHER_ORDER_PYRAMID:
@@ -66,6 +72,7 @@ inline int GetLeastCorners(unsigned char type)
     case VTK_HIGHER_ORDER_WEDGE:
     case VTK_LAGRANGE_WEDGE:
     case VTK_BEZIER_WEDGE:
+    case VTK_QUADRATIC_POLYGON:
       return 6;
     case VTK_HIGHER_ORDER_HEXAHEDRON:
     case VTK_LAGRANGE_HEXAHEDRON:
@@ -85,11 +92,11 @@ inline vtkIdType GetLeastSize(unsigned char type)
   int found = known[type].load(std::memory_order_relaxed);
   if (found == 0)
   {
-    const bool isAnySize = type == VTK_POLY_VERTEX || type == VTK_POLY_LINE ||
-      type == VTK_TRIANGLE_STRIP || type == VTK_POLYGON || type >= VTK_CONVEX_POINT_SET;
+    const int corners = GetLeastCorners(type);
+    const bool isAnySize = corners > 0 || type >= VTK_CONVEX_POINT_SET;
     const auto cell =
       vtkSmartPointer<vtkCell>::Take(isAnySize ? nullptr : vtkGenericCell::InstantiateCell(type));
-    found = 1 + (cell ? static_cast<int>(cell->GetNumberOfPoints()) : GetLeastCorners(type));
+    found = 1 + (cell ? static_cast<int>(cell->GetNumberOfPoints()) : corners);
     known[type].store(found, std::memory_order_relaxed);
   }
   return found - 1;
@@ -214,8 +221,8 @@ inline std::string DescribeCell(vtkUnstructuredGrid* grid, vtkIdType cell, const
   const vtkIdType least = GetLeastSize(static_cast<unsigned char>(type));
   if (last - first < least)
   {
-    return describe(
-      ArrayCheck::Count(last - first, "point") + "; " + std::to_string(least) + " are needed");
+    return describe(ArrayCheck::Count(last - first, "point") + "; " + std::to_string(least) +
+      (least == 1 ? " is needed" : " are needed"));
   }
   for (vtkIdType i = first; i < last; ++i)
   {

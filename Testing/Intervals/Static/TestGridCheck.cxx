@@ -36,7 +36,8 @@ namespace
 
 using namespace reference;
 
-// A thousand tetrahedra and as many polygons of 0, 3 or 5 points, in turn, of ten points.
+// A thousand tetrahedra and as many empty cells or polygons of 3 or 5 points, in turn, of ten
+// points.
 constexpr int Pairs = 1000;
 constexpr vtkIdType Points = 10;
 
@@ -69,7 +70,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(const Damage& damage)
       offsets->InsertNextValue(static_cast<Id>(ids->GetNumberOfValues()));
     }
     types->InsertNextValue(VTK_TETRA);
-    types->InsertNextValue(VTK_POLYGON);
+    types->InsertNextValue(pair % 3 == 0 ? VTK_EMPTY_CELL : VTK_POLYGON);
   }
   if (damage.Offset >= 0)
   {
@@ -124,18 +125,24 @@ void CheckAll(const std::string& name, Check& check)
   expect("a type of any size", { -1, -1, 4, VTK_POLY_VERTEX }, "");
 }
 
-/// The types of any order, and how many corners they have.
-struct OrderedType
+/// A type of cells, and the least number of points that it needs.
+struct SizedType
 {
   int Type;
-  int Corners;
+  int Least;
   std::string Name;
 };
 
-std::vector<OrderedType> GetOrderedTypes()
+std::vector<SizedType> GetSizedTypes()
 {
   const std::string unknown = "cell of unknown type";
   return {
+    { VTK_POLY_VERTEX, 1, "vtkPolyVertex" },
+    { VTK_POLY_LINE, 2, "vtkPolyLine" },
+    { VTK_TRIANGLE_STRIP, 3, "vtkTriangleStrip" },
+    { VTK_POLYGON, 3, "vtkPolygon" },
+    { VTK_QUADRATIC_POLYGON, 6, "vtkQuadraticPolygon" },
+    { VTK_CONVEX_POINT_SET, 4, "vtkConvexPointSet" },
     { VTK_HIGHER_ORDER_EDGE, 2, unknown },
     { VTK_HIGHER_ORDER_TRIANGLE, 3, unknown },
     { VTK_HIGHER_ORDER_QUAD, 4, unknown },
@@ -158,7 +165,9 @@ std::vector<OrderedType> GetOrderedTypes()
     { VTK_BEZIER_HEXAHEDRON, 8, "vtkBezierHexahedron" },
     { VTK_BEZIER_WEDGE, 6, "vtkBezierWedge" },
     { VTK_BEZIER_PYRAMID, 5, unknown },
-    // The others have a number of their own.
+    // These have a number of their own.
+    { VTK_VERTEX, 1, "vtkVertex" },
+    { VTK_TRIANGLE, 3, "vtkTriangle" },
     { VTK_QUADRATIC_HEXAHEDRON, 20, "vtkQuadraticHexahedron" },
     { VTK_HEXAHEDRON, 8, "vtkHexahedron" },
     { VTK_PENTAGONAL_PRISM, 10, "vtkPentagonalPrism" },
@@ -222,14 +231,19 @@ std::vector<std::string> Ask(vtkUnstructuredGrid* grid, Check& check)
 template <typename Array>
 void CheckSizes(const std::string& name, Check& check)
 {
-  for (const OrderedType& type : GetOrderedTypes())
+  for (const SizedType& type : GetSizedTypes())
   {
-    for (const int size : std::vector<int>{ 0, 1, type.Corners - 1 })
+    for (const int size : std::vector<int>{ 0, 1, type.Least - 1 })
     {
+      if (size >= type.Least)
+      {
+        continue;
+      }
       check.SetContext(name + ", " + std::to_string(type.Type) + ", " + std::to_string(size));
       const auto grid = MakePair<Array>(type.Type, size);
       const std::string expected = "ell 1 (" + type.Name + ") has " + std::to_string(size) +
-        (size == 1 ? " point; " : " points; ") + std::to_string(type.Corners) + " are needed";
+        (size == 1 ? " point; " : " points; ") + std::to_string(type.Least) +
+        (type.Least == 1 ? " is needed" : " are needed");
       const std::string found = interlume::GridCheck::Find(grid);
       check.That(found == "c" + expected, found);
       for (const std::string& said : Ask(grid, check))
@@ -241,8 +255,7 @@ void CheckSizes(const std::string& name, Check& check)
     }
     if (type.Type != VTK_POLYHEDRON)
     {
-      const std::string found =
-        interlume::GridCheck::Find(MakePair<Array>(type.Type, type.Corners));
+      const std::string found = interlume::GridCheck::Find(MakePair<Array>(type.Type, type.Least));
       check.That(found.empty(), "as many as there are corners: " + found);
     }
   }
@@ -302,6 +315,7 @@ void CheckFiles(Check& check)
   } cases[] = {
     { "Lagrange", Read(VTK_LAGRANGE_HEXAHEDRON, 3, ""),
       "ell 1 (vtkLagrangeHexahedron) has 3 points; 8 are needed" },
+    { "polygon", Read(VTK_POLYGON, 2, ""), "ell 1 (vtkPolygon) has 2 points; 3 are needed" },
     { "polyhedron without faces", Read(VTK_POLYHEDRON, 4, ""),
       "ell 1 (vtkPolyhedron) has no faces" },
   };
