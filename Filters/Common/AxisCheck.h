@@ -25,7 +25,7 @@ struct AxisCheck
   /// The coordinate at the end of the first of these steps, or -1.
   vtkIdType First = -1;
 
-  /// Checks the first \a number coordinates.
+  /// Checks the first \a number coordinates, at least one.
   static AxisCheck Find(vtkDataArray* coordinates, vtkIdType number)
   {
     AxisCheck found;

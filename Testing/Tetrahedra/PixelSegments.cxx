@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tetrahedra/PixelSegments.h"
 
+#include "Reference/Checks/ReferenceCheck.h"
+
 #include "vtkCamera.h"
+#include "vtkCell.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkHardwareSelector.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkRenderer.h"
@@ -95,6 +101,57 @@ PixelSegment PixelSegments::Get(int i, int j) const
   const double x = (2 * i + 1) / static_cast<double>(this->Size[0]) - 1.0;
   const double y = (2 * j + 1) / static_cast<double>(this->Size[1]) - 1.0;
   return { this->Unproject(x, y, -1.0), this->Unproject(x, y, 1.0) };
+}
+
+int CheckSelection(Check& check, vtkRenderer* renderer, vtkVolume* volume, vtkDataSet* grid,
+  const std::function<void(PixelSegment&)>& cut)
+{
+  const PixelSegments segments(renderer);
+  vtkNew<vtkMatrix4x4> inverse;
+  vtkMatrix4x4::Invert(volume->GetMatrix(), inverse);
+  const int* size = renderer->GetSize();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(renderer);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  selector->SetArea(
+    0, 0, static_cast<unsigned int>(size[0] - 1), static_cast<unsigned int>(size[1] - 1));
+  selector->CaptureBuffers();
+  int found = 0;
+  for (int j = 0; j < size[1]; j += 3)
+  {
+    for (int i = 0; i < size[0]; i += 3)
+    {
+      PixelSegment segment = segments.Get(i, j);
+      cut(segment);
+      const unsigned int pixel[2] = { static_cast<unsigned int>(i), static_cast<unsigned int>(j) };
+      const vtkHardwareSelector::PixelInformation seen = selector->GetPixelInformation(pixel);
+      if (segment.GetLength() < 1e-4)
+      {
+        check.That(segment.GetLength() > 0.0 || !seen.Valid, "selection: where nothing is");
+        continue;
+      }
+      check.That(seen.Valid, "selection: where the volume is");
+      if (!seen.Valid)
+      {
+        continue;
+      }
+      ++found;
+      // Just behind the entry, in the volume's coordinates.
+      const Point3 entry =
+        segment.At(segment.GetFrom() + 1e-6 * (segment.GetTo() - segment.GetFrom()));
+      double point[4] = { entry[0], entry[1], entry[2], 1.0 };
+      inverse->MultiplyPoint(point, point);
+      int subId = 0;
+      double parametric[3];
+      double closest[3];
+      double distance = 0.0;
+      double weights[4];
+      grid->GetCell(seen.AttributeID)
+        ->EvaluatePosition(point, closest, subId, parametric, distance, weights);
+      check.That(distance < 1e-8, "selection: the first cell");
+    }
+  }
+  return found;
 }
 
 }

@@ -6,15 +6,18 @@
 
 #include "vtkNew.h"
 
-#include <array> // for planes and boxes
+#include <array>      // for planes and boxes
+#include <functional> // for cuts
 
+class vtkDataSet;
 class vtkMatrix4x4;
 class vtkRenderer;
-class vtkUnstructuredGrid;
 class vtkVolume;
 
 namespace reference
 {
+
+class Check;
 
 /**
  * The part of a pixel's view ray between two fractions of the way from the near to the far plane,
@@ -71,6 +74,14 @@ private:
   vtkNew<vtkMatrix4x4> WorldFromClip;
   std::array<int, 2> Size;
 };
+
+/**
+ * Checks that a selector finds at every third pixel a cell of the volume's grid that the pixel's
+ * segment enters first, and none where \a cut leaves nothing of the segment. Returns the number of
+ * pixels with cells. The renderer has drawn the volume.
+ */
+int CheckSelection(Check& check, vtkRenderer* renderer, vtkVolume* volume, vtkDataSet* grid,
+  const std::function<void(PixelSegment&)>& cut);
 
 }
 

@@ -13,8 +13,6 @@
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCubeSource.h"
-#include "vtkDataObject.h"
-#include "vtkHardwareSelector.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -459,49 +457,9 @@ void TestSelection(Check& check, Scene& scene)
   vtkNew<Mapper> mapper;
   scene.SetMapper(mapper);
   scene.Stage.Render();
-  const PixelSegments segments(scene.Stage.GetRenderer());
-  vtkNew<vtkMatrix4x4> inverse;
-  vtkMatrix4x4::Invert(scene.Stage.GetVolume()->GetMatrix(), inverse);
-  vtkNew<vtkHardwareSelector> selector;
-  selector->SetRenderer(scene.Stage.GetRenderer());
-  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
-  selector->SetArea(0, 0, 87, 71);
-  selector->CaptureBuffers();
-  int found = 0;
-  for (unsigned int j = 0; j < 72; j += 3)
-  {
-    for (unsigned int i = 0; i < 88; i += 3)
-    {
-      PixelSegment segment = segments.Get(static_cast<int>(i), static_cast<int>(j));
-      segment.ClipToBox(Box, scene.Stage.GetVolume());
-      const unsigned int pixel[2] = { i, j };
-      const vtkHardwareSelector::PixelInformation seen = selector->GetPixelInformation(pixel);
-      if (segment.GetLength() < 1e-4)
-      {
-        check.That(segment.GetLength() > 0.0 || !seen.Valid, "selection: beside the cube");
-        continue;
-      }
-      check.That(seen.Valid, "selection: where the cube is");
-      if (!seen.Valid)
-      {
-        continue;
-      }
-      ++found;
-      // Just behind the entry, in the volume's coordinates.
-      const Point3 entry =
-        segment.At(segment.GetFrom() + 1e-6 * (segment.GetTo() - segment.GetFrom()));
-      double point[4] = { entry[0], entry[1], entry[2], 1.0 };
-      inverse->MultiplyPoint(point, point);
-      int subId = 0;
-      double parametric[3];
-      double closest[3];
-      double distance = 0.0;
-      double weights[4];
-      scene.Grid->GetCell(seen.AttributeID)
-        ->EvaluatePosition(point, closest, subId, parametric, distance, weights);
-      check.That(distance < 1e-8, "selection: the first cell");
-    }
-  }
+  const int found =
+    CheckSelection(check, scene.Stage.GetRenderer(), scene.Stage.GetVolume(), scene.Grid,
+      [&scene](PixelSegment& segment) { segment.ClipToBox(Box, scene.Stage.GetVolume()); });
   check.That(found > 100, "selection: " + std::to_string(found) + " pixels");
 }
 

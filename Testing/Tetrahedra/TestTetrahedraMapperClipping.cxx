@@ -10,10 +10,8 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
-#include "vtkDataObject.h"
 #include "vtkFloatArray.h"
 #include "vtkGeometryFilter.h"
-#include "vtkHardwareSelector.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -438,43 +436,8 @@ void TestSelection(Check& check, const Path& path, const Planes& planes, bool pa
   scene.SetMapper(mapper);
   SetPlanes(mapper, planes);
   scene.Stage.Render();
-  const PixelSegments segments(scene.Stage.GetRenderer());
-  vtkNew<vtkHardwareSelector> selector;
-  selector->SetRenderer(scene.Stage.GetRenderer());
-  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
-  selector->SetArea(0, 0, 71, 63);
-  selector->CaptureBuffers();
-  int found = 0;
-  for (unsigned int j = 0; j < 64; j += 3)
-  {
-    for (unsigned int i = 0; i < 72; i += 3)
-    {
-      const PixelSegment segment =
-        Clip(segments.Get(static_cast<int>(i), static_cast<int>(j)), planes, scene.GetVolume());
-      const unsigned int pixel[2] = { i, j };
-      const vtkHardwareSelector::PixelInformation seen = selector->GetPixelInformation(pixel);
-      if (segment.GetLength() < 1e-4)
-      {
-        check.That(segment.GetLength() > 0.0 || !seen.Valid, "selection: where nothing is left");
-        continue;
-      }
-      check.That(seen.Valid, "selection: where something is left");
-      if (!seen.Valid)
-      {
-        continue;
-      }
-      ++found;
-      Point3 point = segment.At(segment.GetFrom() + 1e-6 * (segment.GetTo() - segment.GetFrom()));
-      int subId = 0;
-      double parametric[3];
-      double closest[3];
-      double distance = 0.0;
-      double weights[4];
-      scene.Grid->GetCell(seen.AttributeID)
-        ->EvaluatePosition(point.data(), closest, subId, parametric, distance, weights);
-      check.That(distance < 1e-8, "selection: the first cell that is left");
-    }
-  }
+  const int found = CheckSelection(check, scene.Stage.GetRenderer(), scene.GetVolume(), scene.Grid,
+    [&](PixelSegment& segment) { segment = Clip(segment, planes, scene.GetVolume()); });
   check.That(found > 30, "selection: " + std::to_string(found) + " pixels");
 }
 
