@@ -141,10 +141,13 @@ int vtkFlowCriticalPoints::RequestData(
   this->Report.DegenerateCells = search.GetCounts().DegenerateCells;
   this->Report.NonFiniteCells = search.GetCounts().NonFiniteCells;
   this->Report.FillValueCells = search.GetCounts().FillValueCells;
-  const std::string fillValues = search.DescribeFillValues(vectors->GetName());
-  if (!fillValues.empty())
+  for (const std::string& skipped :
+    { search.DescribeFillValues(vectors->GetName()), search.DescribeNonFinite(vectors->GetName()) })
   {
-    vtkWarningMacro(<< fillValues);
+    if (!skipped.empty())
+    {
+      vtkWarningMacro(<< skipped);
+    }
   }
 
   vtkNew<vtkPoints> points;

@@ -31,7 +31,7 @@
  *
  * Warnings (vtkWarningMacro): no critical point, with how many cells have zeros that are none;
  * cells that were skipped because vectors look like fill values (as for
- * vtkImplicitFlowField::SetMaximumError), with the value.
+ * vtkImplicitFlowField::SetMaximumError), with the value, or are NaN or infinite.
  *
  * Errors (vtkErrorMacro, empty output): points without cells, unless in one piece of several; no
  * vectors of that name, or not of three components; cells of other types, two-dimensional grids

@@ -126,6 +126,7 @@ int vtkFlowLIC::RequestData(
   this->SetProgressText("Convolving noise along streamlines");
   vtkNew<vtkFloatArray> values;
   interlume::FillValues fill;
+  vtkIdType nonFinite = 0;
   if (wrong.empty())
   {
     values->SetName("LIC");
@@ -135,6 +136,7 @@ int vtkFlowLIC::RequestData(
       [&](const auto& walker)
       {
         fill = walker.GetField().GetFillValues();
+        nonFinite = walker.GetField().GetNumberOfNonFiniteVectors();
         this->Convolve(walker, points, values->GetPointer(0));
       },
       interlume::StageProgress(this, 0.0, interlume::FieldDispatch::BuildingPart));
@@ -158,6 +160,12 @@ int vtkFlowLIC::RequestData(
     vtkWarningMacro(<< fill.Describe(vectors->GetName(),
                       "The least speed ignores them, but streamlines in cells with such points "
                       "follow them."));
+  }
+  this->Report.NonFiniteVectors = nonFinite;
+  if (nonFinite > 0 && isWhole)
+  {
+    vtkWarningMacro(<< interlume::DescribeNonFinite(
+                      nonFinite, vectors->GetName(), "Streamlines end at cells with such points."));
   }
   if (this->Report.PointsOutside == this->Report.Points && isWhole)
   {
@@ -244,7 +252,8 @@ void vtkFlowLICReport::Print(std::ostream& os, vtkIndent indent) const
       { "PointsAtRest", this->PointsAtRest },
       { "PointsWithShortLines", this->PointsWithShortLines }, { "Steps", this->Steps },
       { "StepLength", this->StepLength }, { "Length", this->Length },
-      { "NoiseScale", this->NoiseScale }, { "FillValues", this->FillValues } });
+      { "NoiseScale", this->NoiseScale }, { "FillValues", this->FillValues },
+      { "NonFiniteVectors", this->NonFiniteVectors } });
 }
 
 void vtkFlowLIC::PrintSelf(ostream& os, vtkIndent indent)

@@ -51,7 +51,8 @@ class MeshLinks;
  * than a right angle in a step. The output is the same for any number of threads.
  *
  * Warnings (vtkWarningMacro), but not for pieces: all points are outside of the field; vectors that
- * look like fill values (as for vtkImplicitFlowField::SetMaximumError), with the value.
+ * look like fill values (as for vtkImplicitFlowField::SetMaximumError), with the value; vectors
+ * that are NaN or infinite.
  *
  * Errors (vtkErrorMacro, empty output): no vectors, or not three components at points; a field that
  * is no such dataset or that has no cells of three dimensions; more than 1,000,000 steps for

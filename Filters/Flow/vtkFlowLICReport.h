@@ -34,6 +34,8 @@ struct INTERLUMEFLOW_EXPORT vtkFlowLICReport
   double NoiseScale = 0.0;
   /// The number of points of the field with vectors that look like fill values.
   vtkIdType FillValues = 0;
+  /// The number of points of the field's cells with vectors that are NaN or infinite.
+  vtkIdType NonFiniteVectors = 0;
 
   void Print(std::ostream& os, vtkIndent indent) const;
 };

@@ -113,6 +113,8 @@ public:
   /// largest speed at all other points.
   double FillValue = 0.0;
   double SpeedScale = 0.0;
+  /// The number of points of the field's cells with vectors that are NaN or infinite.
+  vtkIdType NonFiniteVectors = 0;
 };
 
 #endif

@@ -612,6 +612,11 @@ void vtkImplicitFlowField::Finish(vtkInformation* info, const char* vectors, vtk
                       "The automatic MaximumError and MinimumSpeed ignore them, but streamlines in "
                       "cells with such points follow them."));
   }
+  if (this->Report.NonFiniteVectors > 0)
+  {
+    vtkWarningMacro(<< interlume::DescribeNonFinite(this->Report.NonFiniteVectors, vectors,
+                      "Streamlines end at cells with such points."));
+  }
   if (!this->Report.Reached.empty())
   {
     return;

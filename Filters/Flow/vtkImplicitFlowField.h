@@ -134,7 +134,8 @@ struct AdvectionOptions;
  * Warnings (vtkWarningMacro), but not for pieces: the input has no points; no sample reached a
  * surface, with how many ended in which way; faces that have a cell beyond them without a face that
  * fits, with their number; vectors that look like fill values, with the value, their number
- * and the remedy. For pieces too: a checkpoint that is refused, and one that cannot be written.
+ * and the remedy; vectors that are NaN or infinite, with their number and the remedy. For pieces
+ * too: a checkpoint that is refused, and one that cannot be written.
  *
  * Errors (vtkErrorMacro, empty output): no vectors of that name or not of three components; a
  * surface that vtkTerminationSurface::PlaceIn or Update finds wrong; no surface and no domain
@@ -496,8 +497,8 @@ private:
   /// that of processes with parts of the field.
   std::unique_ptr<interlume::FlowCheckpoint> OpenCheckpoint(vtkInformation* info,
     interlume::FlowFingerprint&& fingerprint, interlume::RankExchange* exchange);
-  /// Warns of fill values, and if no sample reached a surface, and makes AdvectionTime the active
-  /// scalars. \a vectors is the name of the vectors.
+  /// Warns of fill values, of vectors that are not finite, and if no sample reached a surface, and
+  /// makes AdvectionTime the active scalars. \a vectors is the name of the vectors.
   void Finish(vtkInformation* info, const char* vectors, vtkDataSet* output);
   void AddSpheres(vtkDataSet* field, interlume::AdvectionOptions& options);
   /// Adds a surface to the options, and keeps it as long as they last.

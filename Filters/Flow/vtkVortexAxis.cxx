@@ -239,11 +239,15 @@ int vtkVortexAxis::RequestData(
   }
   this->Report.Planes = flow.GetNumberOfPlanes();
   this->Report.Places = static_cast<vtkIdType>(search.GetZeros().size());
+  this->Report.NonFiniteCells = search.GetCounts().NonFiniteCells;
   this->Report.FillValueCells = search.GetCounts().FillValueCells;
-  const std::string fillValues = search.DescribeFillValues(vectors->GetName());
-  if (!fillValues.empty())
+  for (const std::string& skipped :
+    { search.DescribeFillValues(vectors->GetName()), search.DescribeNonFinite(vectors->GetName()) })
   {
-    vtkWarningMacro(<< fillValues);
+    if (!skipped.empty())
+    {
+      vtkWarningMacro(<< skipped);
+    }
   }
   const Tracker tracker(flow, search.GetZeros(), this->MinimumSwirlStrength, this->SearchRadius);
   if (const Vortex* start =
@@ -269,7 +273,8 @@ void vtkVortexAxisReport::Print(std::ostream& os, vtkIndent indent) const
 {
   interlume::NamedValue::Print(os, indent,
     { { "Planes", this->Planes }, { "Places", this->Places },
-      { "PointsOnAxis", this->PointsOnAxis }, { "FillValueCells", this->FillValueCells } });
+      { "PointsOnAxis", this->PointsOnAxis }, { "NonFiniteCells", this->NonFiniteCells },
+      { "FillValueCells", this->FillValueCells } });
 }
 
 void vtkVortexAxis::PrintSelf(ostream& os, vtkIndent indent)

@@ -27,8 +27,8 @@
  * FrameVelocity. Where no plane's place is near enough the polyline ends, and another begins where
  * there is one again; a place alone is a vertex. SwirlStrength is the active scalars. Without a
  * vortex the output is empty, and a warning (vtkWarningMacro) says how many places were looked at.
- * Cells with vectors that look like fill values (as for vtkImplicitFlowField::SetMaximumError) are
- * skipped, with a warning.
+ * Cells with vectors that look like fill values (as for vtkImplicitFlowField::SetMaximumError), or
+ * that are NaN or infinite, are skipped, with a warning.
  *
  * The same bytes for any number of threads.
  *

@@ -21,7 +21,9 @@ struct INTERLUMEFLOW_EXPORT vtkVortexAxisReport
   vtkIdType Places = 0;
   /// The number of those places that belong to one vortex, which are the points of the line.
   vtkIdType PointsOnAxis = 0;
-  /// The number of cells that were skipped because a point has fill values.
+  /// The numbers of cells that were skipped because they are not finite, and because a point has
+  /// fill values.
+  vtkIdType NonFiniteCells = 0;
   vtkIdType FillValueCells = 0;
 
   void Print(std::ostream& os, vtkIndent indent) const;

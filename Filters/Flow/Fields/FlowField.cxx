@@ -128,21 +128,13 @@ SpeedCount FlowField::CountSpeeds(const CellPoints& cells, bool hasOtherPoints,
         }
         double v[3];
         this->GetVector(point, v);
-        if (Vectors::IsFinite(glm::make_vec3(v)))
-        {
-          sum.Speeds.Add(v);
-        }
-        else
-        {
-          ++sum.NonFinite;
-        }
+        sum.Add(v);
       }
     });
   SpeedCount all;
   for (const SpeedCount& sum : sums)
   {
-    all.Speeds.Add(sum.Speeds);
-    all.NonFinite += sum.NonFinite;
+    all.Add(sum);
   }
   return all;
 }

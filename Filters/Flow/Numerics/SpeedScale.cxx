@@ -32,26 +32,45 @@ double FindLargest(const double vector[3], bool& isRepeated)
   isRepeated = v[0] == v[1] && (v[2] == v[0] || std::abs(v[2]) < std::abs(v[0]) / 32.0);
   return v[0];
 }
+
+// Returns the beginning of a warning of vectors at some points.
+std::string DescribePoints(vtkIdType number, const char* array)
+{
+  return "The vectors" + (array ? std::string(" \"") + array + "\"" : "") + " at " +
+    std::to_string(number) + " points ";
+}
+
+// Returns the remedy of such a warning. \a where is empty or tells which points are meant.
+std::string DescribeRemedy(const std::string& where)
+{
+  return " Hide these points: set HIDDENPOINT for them in the point array vtkGhostType" + where +
+    "; or remove their cells, by vtkThreshold for example.";
+}
+}
+
+std::string DescribeNonFinite(vtkIdType number, const char* array, const std::string& effect)
+{
+  return number == 0
+    ? std::string()
+    : DescribePoints(number, array) + "are NaN or infinite. " + effect + DescribeRemedy("");
 }
 
 std::string FillValues::Describe(const char* array, const std::string& effect) const
 {
   std::ostringstream text;
-  text << "The vectors" << (array ? std::string(" \"") + array + "\"" : "") << " at "
-       << this->Number << " points look like fill values: ";
+  text << DescribePoints(this->Number, array) << "look like fill values: ";
   if (this->Value != 0.0)
   {
     text << "their component is " << this->Value << ", and ";
   }
   text << "their speeds, up to " << this->LargestSpeed << ", are far above all others, up to "
-       << this->Scale << ". " << effect
-       << " Hide these points: set HIDDENPOINT for them in the point array vtkGhostType";
+       << this->Scale << ". " << effect;
+  std::ostringstream where;
   if (this->Value != 0.0)
   {
-    text << ", wherever a component is " << this->Value;
+    where << ", wherever a component is " << this->Value;
   }
-  text << "; or remove their cells, by vtkThreshold for example.";
-  return text.str();
+  return text.str() + DescribeRemedy(where.str());
 }
 
 void SpeedScale::Bin::Add(const Bin& other)
@@ -148,6 +167,24 @@ FillValues SpeedScale::FindFillValues() const
     last = power;
   }
   return fill;
+}
+
+void SpeedCount::Add(const double vector[3])
+{
+  if (Vectors::IsFinite({ vector[0], vector[1], vector[2] }))
+  {
+    this->Speeds.Add(vector);
+  }
+  else
+  {
+    ++this->NonFinite;
+  }
+}
+
+void SpeedCount::Add(const SpeedCount& other)
+{
+  this->Speeds.Add(other.Speeds);
+  this->NonFinite += other.NonFinite;
 }
 
 }

@@ -28,6 +28,10 @@ struct FillValues
   std::string Describe(const char* array, const std::string& effect) const;
 };
 
+/// Returns a warning of \a number points whose vectors are NaN or infinite, or an empty string if
+/// there are none. \a array and \a effect are those of FillValues::Describe.
+std::string DescribeNonFinite(vtkIdType number, const char* array, const std::string& effect);
+
 /**
  * @class   SpeedScale
  * @brief   finds the largest of many speeds, and the largest one that belongs to no fill value
@@ -109,6 +113,9 @@ struct SpeedCount
 {
   SpeedScale Speeds;
   vtkIdType NonFinite = 0;
+
+  void Add(const double vector[3]);
+  void Add(const SpeedCount& other);
 };
 
 }

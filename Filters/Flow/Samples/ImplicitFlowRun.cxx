@@ -379,7 +379,8 @@ void ImplicitFlowRun::FollowLevels(Streamlines& streamlines, vtkDataSet* samples
 template <typename FieldType>
 void ImplicitFlowRun::Describe(const FieldType& field)
 {
-  this->HasObstacles = this->HasObstacles || field.GetNumberOfNonFiniteVectors() > 0;
+  this->Report.NonFiniteVectors = field.GetNumberOfNonFiniteVectors();
+  this->HasObstacles = this->HasObstacles || this->Report.NonFiniteVectors > 0;
   this->Report.MaximumSpeed = field.GetMaximumSpeed();
   this->Report.FillValues = field.GetFillValues().Number;
   this->Report.FillValue = field.GetFillValues().Value;

@@ -48,10 +48,11 @@ void vtkFlowReport::Print(std::ostream& os, vtkIndent indent) const
     { { "Executions", this->Executions }, { "MaximumError", this->MaximumError },
       { "MinimumSpeed", this->MinimumSpeed }, { "MaximumSpeed", this->MaximumSpeed },
       { "FillValues", this->FillValues }, { "FillValue", this->FillValue },
-      { "SpeedScale", this->SpeedScale }, { "KeptFaces", this->KeptFaces },
-      { "JoinedFaces", this->JoinedFaces }, { "LargestJoinedGap", this->LargestJoinedGap },
-      { "OpenInterfaces", this->OpenInterfaces }, { "FieldBytes", this->FieldBytes },
-      { "ResumedStreamlines", this->ResumedStreamlines }, { "Checkpoints", this->Checkpoints } });
+      { "SpeedScale", this->SpeedScale }, { "NonFiniteVectors", this->NonFiniteVectors },
+      { "KeptFaces", this->KeptFaces }, { "JoinedFaces", this->JoinedFaces },
+      { "LargestJoinedGap", this->LargestJoinedGap }, { "OpenInterfaces", this->OpenInterfaces },
+      { "FieldBytes", this->FieldBytes }, { "ResumedStreamlines", this->ResumedStreamlines },
+      { "Checkpoints", this->Checkpoints } });
   for (std::size_t rank = 0; rank < this->StepsOfRanks.size(); ++rank)
   {
     os << indent << "Steps of process " << rank << ": " << this->StepsOfRanks[rank] << "\n";

@@ -44,34 +44,34 @@ struct Local
   MultilinearCell Cell;
 };
 
-// Finds the fill values among the vectors of points that are not hidden.
-FillValues FindFillValues(vtkDataSet* data, vtkDataArray* vectors)
+// Counts the vectors of points that are not hidden.
+SpeedCount CountSpeeds(vtkDataSet* data, vtkDataArray* vectors)
 {
   Blanking blanking;
   blanking.SetBlanking(data);
   ArrayRows rows;
   rows.Build(vectors);
-  vtkSMPThreadLocal<SpeedScale> scales;
+  vtkSMPThreadLocal<SpeedCount> counts;
   vtkSMPTools::For(0, vectors->GetNumberOfTuples(),
     [&](vtkIdType first, vtkIdType last)
     {
-      SpeedScale& scale = scales.Local();
+      SpeedCount& count = counts.Local();
       for (vtkIdType point = first; point < last; ++point)
       {
         double v[3];
         rows.Get<3>(point, v);
-        if (!blanking.IsPointBlanked(point) && Vectors::IsFinite(glm::make_vec3(v)))
+        if (!blanking.IsPointBlanked(point))
         {
-          scale.Add(v);
+          count.Add(v);
         }
       }
     });
-  SpeedScale all;
-  for (const SpeedScale& scale : scales)
+  SpeedCount all;
+  for (const SpeedCount& count : counts)
   {
-    all.Add(scale);
+    all.Add(count);
   }
-  return all.FindFillValues();
+  return all;
 }
 }
 
@@ -244,13 +244,22 @@ std::string ZeroSearch::DescribeFillValues(const char* array) const
         array, std::to_string(this->Total.FillValueCells) + " cells with such points are skipped.");
 }
 
+std::string ZeroSearch::DescribeNonFinite(const char* array) const
+{
+  const vtkIdType cells = this->Total.NonFiniteCells;
+  return interlume::DescribeNonFinite(cells == 0 ? 0 : this->NonFinitePoints, array,
+    std::to_string(cells) + " cells with such points are skipped.");
+}
+
 bool ZeroSearch::Execute(
   vtkAlgorithm* owner, vtkDataSet* data, vtkDataArray* vectors, const Systems& systems)
 {
   this->Zeros.clear();
   this->Total = Counts();
   const vtkIdType cells = data->GetNumberOfCells();
-  this->Fill = FindFillValues(data, vectors);
+  const SpeedCount count = CountSpeeds(data, vectors);
+  this->Fill = count.Speeds.FindFillValues();
+  this->NonFinitePoints = count.NonFinite;
   Worker worker(data, vectors, systems, this->Fill);
   if (!Batches::Run(cells, owner, 0.0, 1.0, worker))
   {

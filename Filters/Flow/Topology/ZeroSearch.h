@@ -82,9 +82,14 @@ public:
 
   const std::vector<Zero>& GetZeros() const { return this->Zeros; }
   const Counts& GetCounts() const { return this->Total; }
-  /// Returns a warning if cells with fill values were skipped, otherwise an empty string. \a array
-  /// is the name of the vectors.
+  ///@{
+  /**
+   * Returns a warning if cells with fill values, or with vectors that are not finite, were skipped,
+   * otherwise an empty string. \a array is the name of the vectors.
+   */
   std::string DescribeFillValues(const char* array) const;
+  std::string DescribeNonFinite(const char* array) const;
+  ///@}
 
 private:
   class Worker;
@@ -94,6 +99,7 @@ private:
   std::vector<Zero> Zeros;
   Counts Total;
   FillValues Fill;
+  vtkIdType NonFinitePoints = 0;
 };
 
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Speeds out of all proportion: automatic error and minimum speed ignore fill values at up to half
 // of the points, and nothing else; streamlines, line integral convolution, critical points, vortex
-// axes and inflow surfaces are those of the other points, with a warning that names the value.
+// axes and inflow surfaces are those of the other points, with a warning that names the value, also
+// if that is NaN or infinite.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Checks/ReferenceMessages.h"
 #include "Reference/Flow/ReferenceFlowGrid.h"
@@ -24,6 +25,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -156,14 +158,19 @@ void TestScale(Check& check)
     "two kinds", 5000, [](int i) { return i == 0 ? 1e36 : (i == 1 ? 1e20 : 2.0); }, 2.0, 2, check);
 }
 
-/// Sets a value in all components where y is above 3, at 4 of 17 layers of points.
+bool IsLand(const double* x)
+{
+  return x[1] > 3.0;
+}
+
+/// Sets a value in all components on land, at 4 of 17 layers of points. Returns their number.
 vtkIdType AddLand(vtkImageData* image, double value)
 {
   vtkDataArray* vectors = image->GetPointData()->GetVectors();
   vtkIdType number = 0;
   for (vtkIdType id = 0; id < image->GetNumberOfPoints(); ++id)
   {
-    if (image->GetPoint(id)[1] > 3.0)
+    if (IsLand(image->GetPoint(id)))
     {
       vectors->SetTuple3(id, value, value, value);
       ++number;
@@ -173,58 +180,127 @@ vtkIdType AddLand(vtkImageData* image, double value)
   return number;
 }
 
-/// Land with a fill value leaves the answers of all samples away from it as they are.
-void TestLand(Check& check)
+void HideLand(vtkImageData* image)
 {
-  auto image = MakeFlowImage(17,
-    [](const Vector& x) {
-      return Vector{ { 1.0, 0.1 * std::sin(x[2]), 0.0 } };
-    });
-  vtkNew<vtkImplicitFlowField> filter;
-  filter->SetInputDataObject(image);
-  filter->AddTerminationSurface(MakeFlowPlane(0.0));
-  filter->Update();
-  vtkNew<vtkImageData> expected;
-  expected->DeepCopy(filter->GetOutputDataObject(0));
-  const double error = filter->GetReport().MaximumError;
-  for (const double value : { 1e20, -9999.0, -30000.0, 9.96920996838687e36 })
-  {
-    check.SetContext("land of " + std::to_string(value));
-    const vtkIdType number = AddLand(image, value);
-    const std::string warning = WarningsOf(filter);
-    std::ostringstream text;
-    text << "at " << number << " points look like fill values: their component is " << value;
-    check.That(warning.find(text.str()) != std::string::npos, "a warning: " + warning);
-    check.That(warning.find("HIDDENPOINT") != std::string::npos, "with the remedy");
-    check.Equal(filter->GetReport().FillValues, number, "fill values");
-    check.That(filter->GetReport().FillValue == value, "the value");
-    check.Near(filter->GetReport().MaximumError, error, 1e-9, "the error");
-    auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-    vtkIdType reached = 0;
-    for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
-    {
-      if (output->GetPoint(id)[1] <= 2.0)
-      {
-        const auto get = [id](vtkDataSet* data, const char* name)
-        { return data->GetPointData()->GetArray(name)->GetComponent(id, 0); };
-        check.That(get(output, "FlowStatus") == get(expected, "FlowStatus"), "status");
-        check.That(get(output, "AdvectionTime") == get(expected, "AdvectionTime"), "time");
-        reached += get(output, "FlowStatus") == vtkFlowStatus::REACHED_SURFACE ? 1 : 0;
-      }
-    }
-    check.That(reached > 2000, "samples that reach the plane");
-  }
-  // Hidden points are none of the field's, and nothing is left to warn of.
-  check.SetContext("land that is hidden");
   vtkUnsignedCharArray* ghosts = image->AllocatePointGhostArray();
   for (vtkIdType id = 0; id < image->GetNumberOfPoints(); ++id)
   {
-    if (image->GetPoint(id)[1] > 3.0)
+    if (IsLand(image->GetPoint(id)))
     {
       ghosts->SetValue(id, vtkDataSetAttributes::HIDDENPOINT);
     }
   }
-  check.That(WarningsOf(filter).empty(), "no warning");
+}
+
+/// Flow that is followed to a plane, and its results while all vectors are real ones.
+struct FlowToPlane
+{
+  FlowToPlane()
+  {
+    this->Filter->SetInputDataObject(this->Image);
+    this->Filter->AddTerminationSurface(MakeFlowPlane(0.0));
+    this->Filter->Update();
+    this->Expected->DeepCopy(this->Filter->GetOutputDataObject(0));
+    this->Error = this->Filter->GetReport().MaximumError;
+  }
+
+  /// Checks that results in a region are as they were.
+  void Compare(const std::function<bool(const double*)>& isInRegion, Check& check)
+  {
+    auto* output = vtkDataSet::SafeDownCast(this->Filter->GetOutputDataObject(0));
+    vtkIdType reached = 0;
+    for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
+    {
+      if (!isInRegion(output->GetPoint(id)))
+      {
+        continue;
+      }
+      const auto get = [id](vtkDataSet* data, const char* name)
+      { return data->GetPointData()->GetArray(name)->GetComponent(id, 0); };
+      for (const char* name : { "FlowStatus", "TerminationId", "AdvectionTime" })
+      {
+        check.That(get(output, name) == get(this->Expected, name), name);
+      }
+      reached += get(output, "FlowStatus") == vtkFlowStatus::REACHED_SURFACE ? 1 : 0;
+    }
+    check.That(reached > 2000, "samples that reach the plane");
+    check.Near(this->Filter->GetReport().MaximumError, this->Error, 1e-9, "the error");
+  }
+
+  vtkSmartPointer<vtkImageData> Image = MakeFlowImage(17,
+    [](const Vector& x) {
+      return Vector{ { 1.0, 0.1 * std::sin(x[2]), 0.0 } };
+    });
+  vtkNew<vtkImplicitFlowField> Filter;
+  vtkNew<vtkImageData> Expected;
+  double Error = 0.0;
+};
+
+bool IsAtSea(const double* x)
+{
+  return x[1] <= 2.0;
+}
+
+std::string DescribeValue(vtkIdType number, double value)
+{
+  std::ostringstream text;
+  text << "at " << number << " points look like fill values: their component is " << value;
+  return text.str();
+}
+
+std::string DescribeNonFinite(vtkIdType number)
+{
+  return "at " + std::to_string(number) + " points are NaN or infinite";
+}
+
+void CheckWarning(const std::string& warning, const std::string& expected, Check& check)
+{
+  check.That(warning.find(expected) != std::string::npos, "a warning: " + warning);
+  check.That(warning.find("HIDDENPOINT") != std::string::npos, "with the remedy");
+}
+
+/// Land with a fill value leaves the answers of all samples away from it as they are.
+void TestLand(Check& check)
+{
+  FlowToPlane flow;
+  for (const double value : { 1e20, -9999.0, -30000.0, 9.96920996838687e36 })
+  {
+    check.SetContext("land of " + std::to_string(value));
+    const vtkIdType number = AddLand(flow.Image, value);
+    CheckWarning(WarningsOf(flow.Filter), DescribeValue(number, value), check);
+    check.Equal(flow.Filter->GetReport().FillValues, number, "fill values");
+    check.That(flow.Filter->GetReport().FillValue == value, "the value");
+    flow.Compare(IsAtSea, check);
+  }
+  // Hidden points are none of the field's, and nothing is left to warn of.
+  check.SetContext("land that is hidden");
+  HideLand(flow.Image);
+  check.That(WarningsOf(flow.Filter).empty(), "no warning");
+}
+
+const double NonFiniteValues[] = { std::numeric_limits<double>::quiet_NaN(),
+  std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
+
+/// The same of land without numbers, also if automatic settings are not used.
+void TestNonFinite(Check& check)
+{
+  for (const double value : NonFiniteValues)
+  {
+    FlowToPlane flow;
+    check.SetContext("land of " + std::to_string(value));
+    check.Equal(flow.Filter->GetReport().NonFiniteVectors, 0, "vectors without land");
+    const vtkIdType number = AddLand(flow.Image, value);
+    CheckWarning(WarningsOf(flow.Filter), DescribeNonFinite(number), check);
+    check.Equal(flow.Filter->GetReport().NonFiniteVectors, number, "vectors");
+    check.Equal(flow.Filter->GetReport().FillValues, 0, "fill values");
+    flow.Compare(IsAtSea, check);
+    flow.Filter->SetMaximumError(flow.Error);
+    flow.Filter->SetMinimumSpeed(1e-9);
+    CheckWarning(WarningsOf(flow.Filter), DescribeNonFinite(number), check);
+    HideLand(flow.Image);
+    check.That(WarningsOf(flow.Filter).empty(), "no warning if it is hidden");
+    check.Equal(flow.Filter->GetReport().NonFiniteVectors, 0, "vectors of hidden land");
+  }
 }
 
 /// Land does not take convolution, zeros and vortices out of place.
@@ -236,7 +312,8 @@ void TestOtherFilters(Check& check)
     return Vector{ { 1.3 - x[1] - 0.1 * (x[0] - 1.3), x[0] - 1.3 - 0.1 * (x[1] - 1.3),
       0.3 * (x[2] - 1.9) } };
   };
-  const auto run = [&](vtkAlgorithm* filter, const char* name, vtkDataArray* (*get)(vtkAlgorithm*))
+  const auto run = [&](vtkAlgorithm* filter, const char* name, vtkDataArray* (*get)(vtkAlgorithm*),
+                     const std::function<vtkIdType(bool)>& count)
   {
     check.SetContext(name);
     auto image = MakeFlowImage(17, swirl);
@@ -244,12 +321,12 @@ void TestOtherFilters(Check& check)
     check.That(WarningsOf(filter).empty(), "no warning without land");
     vtkSmartPointer<vtkDataArray> expected = vtk::TakeSmartPointer(get(filter)->NewInstance());
     expected->DeepCopy(get(filter));
-    for (const double value : { 1e20, -9999.0 })
+    for (const double value : { 1e20, -9999.0, NonFiniteValues[0], NonFiniteValues[1] })
     {
-      AddLand(image, value);
-      const std::string warning = WarningsOf(filter);
-      check.That(warning.find("fill values: their component is") != std::string::npos,
-        "a warning: " + warning);
+      const vtkIdType number = AddLand(image, value);
+      CheckWarning(WarningsOf(filter),
+        std::isfinite(value) ? DescribeValue(number, value) : DescribeNonFinite(number), check);
+      check.That(count(std::isfinite(value)) > 0, "cells or points that are counted");
       vtkDataArray* found = get(filter);
       check.Equal(found->GetNumberOfTuples(), expected->GetNumberOfTuples(), "results");
       double largest = 0.0;
@@ -269,64 +346,47 @@ void TestOtherFilters(Check& check)
   const auto getPoints = [](vtkAlgorithm* filter)
   { return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0))->GetPoints()->GetData(); };
   vtkNew<vtkFlowCriticalPoints> zeros;
-  run(zeros, "critical points", getPoints);
-  check.That(zeros->GetReport().FillValueCells > 0, "cells that are skipped");
+  run(zeros, "critical points", getPoints,
+    [&zeros](bool isFinite)
+    { return isFinite ? zeros->GetReport().FillValueCells : zeros->GetReport().NonFiniteCells; });
   vtkNew<vtkVortexAxis> axis;
   axis->SetNumberOfPlanes(9);
-  run(axis, "vortex axis", getPoints);
-  check.That(axis->GetReport().FillValueCells > 0, "cells that are skipped");
+  run(axis, "vortex axis", getPoints,
+    [&axis](bool isFinite)
+    { return isFinite ? axis->GetReport().FillValueCells : axis->GetReport().NonFiniteCells; });
   vtkNew<vtkFlowLIC> convolution;
   convolution->SetLength(0.3);
-  run(convolution, "convolution",
+  run(
+    convolution, "convolution",
     [](vtkAlgorithm* filter)
     {
       return vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))
         ->GetPointData()
         ->GetArray("LIC");
+    },
+    [&](bool isFinite)
+    {
+      const vtkFlowLICReport& report = convolution->GetReport();
+      check.That(!isFinite || report.PointsAtRest < 20, "points at rest");
+      return isFinite ? report.FillValues : report.NonFiniteVectors;
     });
-  check.That(convolution->GetReport().PointsAtRest < 20, "points at rest");
 }
 
-/// A fill value in a corner changes no answer far from it, and is said.
+/// A fill value in a corner changes no answer far from it, and is reported.
 void TestField(Check& check)
 {
-  auto image = MakeFlowImage(17,
-    [](const Vector& x) {
-      return Vector{ { 1.0, 0.1 * std::sin(x[2]), 0.0 } };
-    });
-  vtkNew<vtkImplicitFlowField> filter;
-  filter->SetInputDataObject(image);
-  filter->AddTerminationSurface(MakeFlowPlane(0.0));
-  filter->Update();
-  vtkNew<vtkImageData> expected;
-  expected->DeepCopy(filter->GetOutputDataObject(0));
-  const double error = filter->GetReport().MaximumError;
-  check.Equal(filter->GetReport().FillValues, 0, "fill values");
-  const vtkIdType corner = image->GetNumberOfPoints() - 1;
-  vtkDataArray* vectors = image->GetPointData()->GetVectors();
-  vectors->SetTuple3(corner, 1e30, 1e30, 1e30);
+  check.SetContext("a corner");
+  FlowToPlane flow;
+  check.Equal(flow.Filter->GetReport().FillValues, 0, "fill values");
+  vtkDataArray* vectors = flow.Image->GetPointData()->GetVectors();
+  vectors->SetTuple3(flow.Image->GetNumberOfPoints() - 1, 1e30, 1e30, 1e30);
   vectors->Modified();
-  const std::string warning = WarningsOf(filter);
-  check.That(warning.find("at 1 points") != std::string::npos, "a warning: " + warning);
-  check.Equal(filter->GetReport().FillValues, 1, "fill values");
-  check.That(filter->GetReport().MaximumError == error, "the error is as without");
-  auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-  for (const char* name : { "FlowStatus", "TerminationId", "AdvectionTime" })
-  {
-    vtkDataArray* found = output->GetPointData()->GetArray(name);
-    vtkDataArray* other = expected->GetPointData()->GetArray(name);
-    for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
-    {
-      const double* x = output->GetPoint(id);
-      if (x[1] < 3.0 || x[2] < 3.0)
-      {
-        check.That(found->GetComponent(id, 0) == other->GetComponent(id, 0), name);
-      }
-    }
-  }
-  filter->SetMaximumError(error);
-  filter->SetMinimumSpeed(1e-9);
-  check.That(WarningsOf(filter).empty(), "nothing is said where nothing is automatic");
+  CheckWarning(WarningsOf(flow.Filter), DescribeValue(1, 1e30), check);
+  check.Equal(flow.Filter->GetReport().FillValues, 1, "fill values");
+  flow.Compare([](const double* x) { return x[1] < 3.0 || x[2] < 3.0; }, check);
+  flow.Filter->SetMaximumError(flow.Error);
+  flow.Filter->SetMinimumSpeed(1e-9);
+  check.That(WarningsOf(flow.Filter).empty(), "no warning if nothing is automatic");
 }
 
 /// A surface that is placed by the flow is not drawn to a fill value.
@@ -336,29 +396,32 @@ void TestInflow(Check& check)
     [](const Vector& x) {
       return Vector{ { 2.0 + std::sin(x[1]), 0.1, 0.0 } };
     });
-  vtkDataArray* vectors = image->GetPointData()->GetVectors();
-  double places[2][6];
-  for (int i = 0; i < 2; ++i)
+  std::array<double, 6> place;
+  const auto find = [&](const std::string& name)
   {
+    check.SetContext("inflow, " + name);
     vtkNew<vtkTerminationInflow> inflow;
-    check.That(
-      inflow->PlaceIn(image, vectors, true).empty() && inflow->Update().empty(), "a place");
-    inflow->GetBounds(places[i]);
-    vectors->SetTuple3(image->GetNumberOfPoints() / 2, 0.0, 1e30, 0.0);
-  }
-  for (const double value : { 1e20, -9999.0 })
+    check.That(inflow->PlaceIn(image, image->GetPointData()->GetVectors(), true).empty() &&
+        inflow->Update().empty(),
+      "a place");
+    inflow->GetBounds(place.data());
+  };
+  find("real vectors");
+  const std::array<double, 6> expected = place;
+  check.That(expected[1] < 1.0, "where it enters");
+  const auto compare = [&](const std::string& name)
+  {
+    find(name);
+    check.That(place[0] == expected[0] && place[1] == expected[1], "across the flow");
+  };
+  image->GetPointData()->GetVectors()->SetTuple3(image->GetNumberOfPoints() / 2, 0.0, 1e30, 0.0);
+  compare("one fill value");
+  for (const double value : { 1e20, -9999.0, NonFiniteValues[0], NonFiniteValues[1] })
   {
     AddLand(image, value);
-    vtkNew<vtkTerminationInflow> inflow;
-    check.That(
-      inflow->PlaceIn(image, vectors, true).empty() && inflow->Update().empty(), "beside land");
-    double place[6];
-    inflow->GetBounds(place);
-    check.That(place[0] == places[0][0] && place[1] == places[0][1], "across the flow beside land");
+    compare("land of " + std::to_string(value));
     check.That(place[3] <= 3.0, "without the land");
   }
-  check.That(places[0][0] == places[1][0] && places[0][1] == places[1][1], "across the flow");
-  check.That(places[1][1] < 1.0, "where it enters");
 }
 
 }
@@ -370,8 +433,8 @@ int TestFlowFillValues(int, char*[])
   TestRepeated(check);
   TestField(check);
   TestLand(check);
+  TestNonFinite(check);
   TestOtherFilters(check);
-  check.SetContext("inflow");
   TestInflow(check);
   return check.Result();
 }
