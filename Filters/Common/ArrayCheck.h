@@ -35,6 +35,37 @@ inline std::string Count(vtkIdType number, const std::string& thing)
   return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
 }
 
+/// Returns an error message if an array has not one tuple for each of \a number things, such as
+/// points.
+inline std::string FindLengthFault(
+  vtkAbstractArray* array, vtkIdType number, const std::string& thing)
+{
+  const vtkIdType tuples = array->GetNumberOfTuples();
+  return tuples == number ? std::string()
+                          : Describe(array) + " has " + Count(tuples, "tuple") + "; " +
+      std::to_string(number) + (number == 1 ? " is" : " are") + " needed, one for each " + thing;
+}
+
+/// Returns the same for the first such array of points or cells.
+inline std::string FindLengthFault(vtkDataSet* data)
+{
+  for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    vtkDataSetAttributes* arrays = data->GetAttributes(association);
+    for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+    {
+      const std::string fault =
+        FindLengthFault(arrays->GetAbstractArray(i), data->GetNumberOfElements(association),
+          association == vtkDataObject::POINT ? "point" : "cell");
+      if (!fault.empty())
+      {
+        return fault;
+      }
+    }
+  }
+  return {};
+}
+
 /// Returns why an array cannot be read: it has to have numbers, in so many components, 0 for any
 /// number of them, and one tuple for each of \a number things, such as points.
 inline std::string FindShapeFault(
@@ -44,18 +75,12 @@ inline std::string FindShapeFault(
   {
     return Describe(array) + " is a " + array->GetClassName() + "; numbers are needed";
   }
-  const auto fault = [array](vtkIdType has, const char* what, vtkIdType needed)
-  {
-    return Describe(array) + " has " + Count(has, what) + "; " + std::to_string(needed) +
-      (needed == 1 ? " is needed" : " are needed");
-  };
   if (components > 0 && array->GetNumberOfComponents() != components)
   {
-    return fault(array->GetNumberOfComponents(), "component", components);
+    return Describe(array) + " has " + Count(array->GetNumberOfComponents(), "component") + "; " +
+      std::to_string(components) + (components == 1 ? " is needed" : " are needed");
   }
-  return array->GetNumberOfTuples() == number
-    ? std::string()
-    : fault(array->GetNumberOfTuples(), "tuple", number) + ", one for each " + thing;
+  return FindLengthFault(array, number, thing);
 }
 
 inline std::string FindPointFault(vtkDataSet* data, vtkAbstractArray* array, int components)

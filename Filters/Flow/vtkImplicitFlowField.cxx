@@ -4,6 +4,7 @@
 #include "Checkpoint/FlowCheckpoint.h"
 #include "Checkpoint/FlowFingerprint.h"
 #include "Common/AbortCheck.h"
+#include "Common/ArrayCheck.h"
 #include "Common/NamedValue.h"
 #include "Fields/FieldInput.h"
 #include "Fields/FieldVectors.h"
@@ -722,6 +723,12 @@ bool vtkImplicitFlowField::SetSamples(const interlume::FieldInput& input, vtkDat
       isPiece = vtkUnstructuredGrid::SafeDownCast(points) != nullptr;
     }
     samples = input.MakeSamples(points);
+  }
+  const std::string fault = interlume::ArrayCheck::FindLengthFault(samples);
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< interlume::ArrayCheck::MakeSentence("the samples cannot be used: " + fault));
+    return false;
   }
   output->ShallowCopy(samples);
   if (!isPiece)

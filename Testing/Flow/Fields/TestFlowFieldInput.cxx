@@ -230,6 +230,32 @@ void TestAbort(Check& check)
   }
 }
 
+// Arrays that the output takes from the samples have a value for each point or cell.
+void TestShortArrays(Check& check)
+{
+  for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    const bool isOfPoints = association == vtkDataObject::POINT;
+    check.SetContext(isOfPoints ? "short point array" : "short cell array");
+    const auto image = MakeBlock(0, VTK_DOUBLE);
+    vtkNew<vtkDoubleArray> array;
+    array->SetName("other");
+    array->SetNumberOfTuples(image->GetNumberOfElements(association) - 1);
+    array->Fill(0.0);
+    image->GetAttributes(association)->AddArray(array);
+    auto filter = NewFilter(image);
+    Expect(filter,
+      isOfPoints ? "array \"other\" has 74 tuples; 75 are needed, one for each point"
+                 : "array \"other\" has 31 tuples; 32 are needed, one for each cell",
+      check);
+    check.Equal(
+      vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfPoints(), 0, "empty");
+    // An image of samples of its own does not take them.
+    filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+    check.That(MessagesOf(filter).empty(), "samples of an image");
+  }
+}
+
 }
 
 int TestFlowFieldInput(int, char*[])
@@ -240,5 +266,6 @@ int TestFlowFieldInput(int, char*[])
   TestPlane(check);
   TestCellArray(check);
   TestAbort(check);
+  TestShortArrays(check);
   return check.Result();
 }
