@@ -17,7 +17,7 @@ uniform sampler2D batch2;
 // takes this back, within the values around; a small difference is that between samples of the emitter.
 vec4 getSharpMean(vec2 at)
 {
-  const float share = 0.4;
+  const float share = 0.5;
   const float small = 0.04;
   vec2 texel = 1.0 / vec2(textureSize(map, 0));
   vec4 here = textureLod(map, at, 0.0);

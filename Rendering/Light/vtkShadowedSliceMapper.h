@@ -105,12 +105,10 @@ struct SliceScene;
  * matter, whose penumbra is a few texels wide, is as sharp as for other lights, and layers need
  * half the buffer's columns and rows. A penumbra is that of the samples, in steps of one over their
  * number, up to two texels, and converges as samples, buffer and slices are refined: behind a half
- * plane, dZ / Z 0.05 to 5, its width is off by 4.4 % or less with 8 samples in buffers of 128^2, by
- * 3.1 % with 16 and by 1.3 % with 32 in 256^2, and the profile by 0.040, 0.042 and 0.032 at most,
- * up to dZ / Z of 1 by 0.035, 0.032 and 0.011. If the light is near (dZ / Z of 5) a buffer of 128^2
- * makes it 13 % too narrow. Penumbras of few texels are too wide: by 8 % or less from 6 texels on, by
- * 17 % at 4 and by half at 3. Wide penumbras of sharp edges want 16 to 24 samples,
- * since fewer show as steps. An automatic buffer has 96 columns at least, and up to one and a half
+ * plane, dZ / Z 0.05 to 5, its width is off by 4 % or less with 16 samples in buffers of 128^2 and by
+ * 3 % with 32 in 256^2, and the profile by 0.035 and 0.015 at most. Penumbras of few texels are too
+ * wide: by 7 % or less from 6 to 12 texels, by 15 % at 4 and by 40 % at 3. Wide penumbras of sharp
+ * edges want 16 to 24 samples, since fewer show as steps. An automatic buffer has 96 columns at least, and up to one and a half
  * times those of other lights where the picture has two pixels to each. Beside the buffer it takes
  * three of its size and a quarter of one for each sample.
  * - ACCUMULATED_CONVOLUTION: the buffer is convolved with boxes as light goes through the slices

@@ -7,6 +7,7 @@
 #include "Plan/LayerBatches.h"
 #include "Plan/SlicePolygons.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -81,7 +82,10 @@ void CheckColumn(Check& check)
   light.BufferFromUnit[0][0] = 1.0 / high.x;
   light.BufferFromUnit[1][1] = 1.0 / high.y;
   LayerBatches batches;
-  batches.Build(light, { &polygons }, 6, false);
+  // Shadows go two texels apart in six slabs.
+  light.Center = glm::dvec4(0.0, 0.0, -1.0, 0.0);
+  light.Spread = 2.0 / (6.01 * sweep.Spacing);
+  batches.Build(sweep, light, { &polygons }, false);
   const std::vector<std::array<int, 2>> expected{ { { 0, 5 } }, { { 6, 11 } }, { { 12, 15 } },
     { { 48, 53 } }, { { 54, 59 } }, { { 60, 63 } } };
   check.Equal(batches.Get().size(), expected.size(), "batches");
@@ -112,9 +116,34 @@ void CheckColumn(Check& check)
     check.Equal(drawn, tiles * LayerBatches::TileSize * LayerBatches::TileSize, "texels drawn");
   }
   check.SetContext("the whole buffer");
-  batches.Build(light, { &polygons }, 64, true);
+  light.Spread = 0.0;
+  batches.Build(sweep, light, { &polygons }, true);
   check.Equal(batches.Get().size(), 1, "batches of all slabs");
   check.Equal(batches.GetVertices().size(), 4 * 18, "numbers of four rows");
+
+  // All that shadows of a small light go apart in has twenty batches at least; near a light at a
+  // place these are short.
+  check.SetContext("a small light");
+  light.Divergence = 12.0 / (64.0 * sweep.Spacing);
+  batches.Build(sweep, light, { &polygons }, true);
+  check.Equal(batches.Get().front().Last, 2, "slabs of a light without a place");
+  check.That(!batches.AreApart({ 0, 3 }, { 9, 9 }, 2), "six slabs are no more than two batches");
+  check.That(batches.AreApart({ 0, 3 }, { 10, 10 }, 2), "seven slabs are more than two batches");
+  const double thickness = 64.0 * sweep.Spacing;
+  light.Center = glm::dvec4(0.0, 0.0, sweep.First - thickness, 1.0);
+  // Up to the end: the half of it over the thickness, by equation 2.14.
+  light.Divergence = 2.0 * 12.0 * thickness;
+  batches.Build(sweep, light, { &polygons }, true);
+  const auto getApart = [](int slab) { return 24.0 * slab / (64.0 + slab); };
+  int longest = 0;
+  for (const LayerBatches::Batch& batch : batches.Get())
+  {
+    longest = std::max(longest, batch.Last + 1 - batch.First);
+    check.That(
+      getApart(batch.Last + 1) - getApart(batch.First) < 0.6 + 1e-9, "shadows within a batch");
+  }
+  check.Equal(batches.Get().front().Last, 0, "slabs near a light");
+  check.That(longest >= 4, "slabs far from a light");
 }
 }
 

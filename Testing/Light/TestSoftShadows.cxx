@@ -67,6 +67,32 @@ double GetShift(const std::vector<double>& profile, double width)
   return shift;
 }
 
+/// What of the light comes past the half plane: the receiver is not lit evenly, so its profile is
+/// divided by that without an occluder.
+std::vector<double> GetShare(double ratio, double width, const std::function<void(Mapper*)>& set,
+  vtkShadowedSliceReport* report)
+{
+  const auto draw = [&](const ShadowScene& plane)
+  {
+    vtkNew<Mapper> mapper;
+    set(mapper);
+    const std::vector<double> profile = GetPenumbra(DrawByMapper(mapper, plane));
+    if (report)
+    {
+      *report = mapper->GetReport();
+    }
+    return profile;
+  };
+  const ShadowScene open = MakeHalfPlane(ratio, width);
+  vtkPiecewiseFunction* opacity = open.Property->GetScalarOpacity();
+  opacity->AddPoint(0.6, 0.0);
+  opacity->AddPoint(1.0, 0.0);
+  const std::vector<double> lit = draw(open);
+  std::vector<double> profile = draw(MakeHalfPlane(ratio, width));
+  std::transform(profile.begin(), profile.end(), lit.begin(), profile.begin(), std::divides<>());
+  return profile;
+}
+
 void TestHalfPlane(Check& check)
 {
   constexpr double width = 0.2;
@@ -76,18 +102,18 @@ void TestHalfPlane(Check& check)
     double lastLargest = 1.0;
     for (const int size : { 128, 256 })
     {
-      vtkNew<Mapper> mapper;
-      mapper->SetLightBufferSize(size);
-      mapper->SetNumberOfLightSamples(size == 128 ? 16 : 32);
-      const auto profile = GetPenumbra(DrawByMapper(mapper, MakeHalfPlane(ratio, width)));
+      const auto set = [size](Mapper* mapper)
+      {
+        mapper->SetLightBufferSize(size);
+        mapper->SetNumberOfLightSamples(size == 128 ? 16 : 32);
+      };
+      vtkShadowedSliceReport report;
+      const auto profile = GetShare(ratio, width, set, &report);
       const double error = GetRampWidth(profile) / width - 1.0;
       const double fit = FitRampWidth(profile) / width - 1.0;
       // The edge lies where that of hard shadows does, and the rest is compared from there.
       const double shift = GetShift(profile, width);
-      vtkNew<Mapper> other;
-      other->SetLightBufferSize(size);
-      const double hardShift =
-        GetShift(GetPenumbra(DrawByMapper(other, MakeHalfPlane(ratio, 0.0))), 0.0);
+      const double hardShift = GetShift(GetShare(ratio, 0.0, set, nullptr), 0.0);
       double largest = 0.0;
       for (std::size_t i = 0; i < profile.size(); ++i)
       {
@@ -98,17 +124,14 @@ void TestHalfPlane(Check& check)
         "half plane, dZ/Z " + std::to_string(ratio) + ", buffer of " + std::to_string(size) + "^2";
       std::cout << name << ": width off by " << 100.0 * error << " %, that of the fit by "
                 << 100.0 * fit << " %, profile by at most " << largest << ", edge by "
-                << (shift - hardShift) / Width * size << " texels, "
-                << mapper->GetReport().LightLayers << " layers, "
-                << mapper->GetReport().SoftShadowPasses << " passes for "
-                << mapper->GetReport().LightPasses << std::endl;
-      // A batch of slabs is a tenth as deep as a near light is far from the sheet in it.
-      const double bound = size == 128 && ratio > 2.0 ? 0.15 : 0.05;
-      check.Near(error, 0.0, bound, name + ": width", 1.0);
-      check.Near(fit, 0.0, bound, name + ": width of the ramp that fits", 1.0);
-      check.Near(largest, 0.0, (size == 128 ? 0.035 : 0.015) * (ratio > 2.0 ? 2.5 : 1.0),
-        name + ": profile", 1.0);
-      check.That(std::abs(error) < lastError && largest < 0.8 * lastLargest,
+                << (shift - hardShift) / Width * size << " texels, " << report.LightLayers
+                << " layers, " << report.SoftShadowPasses << " passes for " << report.LightPasses
+                << std::endl;
+      check.Near(error, 0.0, 0.05, name + ": width", 1.0);
+      check.Near(fit, 0.0, 0.05, name + ": width of the ramp that fits", 1.0);
+      check.Near(largest, 0.0, size == 128 ? 0.035 : 0.015, name + ": profile", 1.0);
+      // Below that the planes of batches decide.
+      check.That(std::abs(error) < std::max(lastError, 0.02) && largest < 0.8 * lastLargest,
         name + ": width and profile converge");
       lastError = std::abs(error);
       lastLargest = largest;
@@ -127,25 +150,16 @@ struct PenumbraError
   double Fit = 0.0;
 };
 
-/// Slices, texels and samples of the light by steps of 1 / \a steps of what they are of 1. The
-/// receiver is not lit evenly, so that the profile is that of the light that comes through.
+/// Slices, texels and samples of the light by steps of 1 / \a steps of what they are of 1.
 PenumbraError MeasureHalfPlane(double ratio, double width, int steps)
 {
-  const auto draw = [&](const ShadowScene& plane)
+  const auto set = [steps](Mapper* mapper)
   {
-    vtkNew<Mapper> mapper;
     mapper->SetLightBufferSize(64 * steps);
     mapper->SetNumberOfLightSamples(8 * steps);
     mapper->SetSliceSpacing(Gap / (86.0 * steps));
-    return GetPenumbra(DrawByMapper(mapper, plane));
   };
-  std::vector<double> profile = draw(MakeHalfPlane(ratio, width));
-  const ShadowScene open = MakeHalfPlane(ratio, width);
-  vtkPiecewiseFunction* opacity = open.Property->GetScalarOpacity();
-  opacity->AddPoint(0.6, 0.0);
-  opacity->AddPoint(1.0, 0.0);
-  const std::vector<double> lit = draw(open);
-  std::transform(profile.begin(), profile.end(), lit.begin(), profile.begin(), std::divides<>());
+  const std::vector<double> profile = GetShare(ratio, width, set, nullptr);
   const double shift = GetShift(profile, width);
   PenumbraError error;
   error.Width = std::abs(GetRampWidth(profile) / width - 1.0);
@@ -178,7 +192,8 @@ void TestRefinement(Check& check)
     const double order = 0.5 * std::log2(first.Profile / last.Profile);
     std::cout << "half plane, dZ/Z " << ratio << ": order " << order << std::endl;
     const std::string name = "half plane, dZ/Z " + std::to_string(ratio);
-    check.That(order > 0.7, name + ": order of the profile, " + std::to_string(order));
+    check.That(order > 0.7 || last.Profile < 0.004,
+      name + ": order of the profile, " + std::to_string(order));
     check.Near(last.Width, 0.0, 0.012, name + ": width with the finest steps", 1.0);
     check.Near(last.Fit, 0.0, 0.02, name + ": ramp that fits with the finest steps", 1.0);
   }
@@ -189,8 +204,8 @@ void TestRefinement(Check& check)
 void TestNarrow(Check& check)
 {
   constexpr int size = 128;
-  for (const auto& [texels, bound] : { std::pair<double, double>{ 3.0, 0.55 }, { 4.0, 0.2 },
-         { 6.0, 0.07 }, { 8.0, 0.08 }, { 12.0, 0.04 } })
+  for (const auto& [texels, bound] : { std::pair<double, double>{ 3.0, 0.45 }, { 4.0, 0.17 },
+         { 6.0, 0.07 }, { 8.0, 0.08 }, { 12.0, 0.07 } })
   {
     const PenumbraError error = MeasureHalfPlane(0.05, texels * Width / size, size / 64);
     std::cout << "penumbra of " << texels << " texels: width off by " << 100.0 * error.Width
@@ -302,7 +317,8 @@ void TestSamples(Check& check)
     const PictureError error = ComparePictures(picture, DrawByMapper(hard, point));
     std::cout << name << ": " << error.Max << " at most, " << error.Mean
               << " in the mean from hard shadows\n";
-    check.That(error.Mean > 0.0002, name + ": far from hard shadows");
+    check.That(
+      error.Mean > (name == "light behind" ? 0.0002 : 0.0004), name + ": far from hard shadows");
   };
   const Double3 front{ { -2.0, 2.0, 2.0 } };
   compare("square light", BoxesScene(MakeAreaLight(front, 1.5)), 1);

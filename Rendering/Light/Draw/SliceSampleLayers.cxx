@@ -23,13 +23,6 @@ namespace interlume
 namespace
 {
 
-// The most slabs of a batch, whose own matter casts the shadows of a light without extent in it.
-constexpr int LongestBatch = 64;
-
-// How far the shadows of a sample and of the centre may go apart within a batch, in texels of the
-// light's buffer.
-constexpr double Apart = 2.0;
-
 // The number of texels of the light's buffer along an edge of a layer's: a layer is looked up only
 // for shadows that are wide by then.
 constexpr int Coarseness = 2;
@@ -90,10 +83,7 @@ std::string SliceSampleLayers::Prepare(vtkOpenGLRenderWindow* window, const Slic
   {
     return error;
   }
-  const double apart = light.Spread * sweep.Spacing;
-  this->Period =
-    apart * LongestBatch > Apart ? std::max(static_cast<int>(Apart / apart), 1) : LongestBatch;
-  this->Plan.Build(light, polygons, this->Period, isWhole);
+  this->Plan.Build(sweep, light, polygons, isWhole);
   this->Tiles->Upload(this->Plan.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
   this->Current = 0;
   this->Begun = 0;
@@ -305,9 +295,8 @@ bool SliceSampleLayers::Begin(vtkOpenGLRenderWindow* window, const SlicePlan::Sw
   for (Batch& batch : this->Batches)
   {
     const bool isOld = batch.Number >= 0 &&
-      batches[static_cast<std::size_t>(next)].First -
-          batches[static_cast<std::size_t>(batch.Number)].Last >
-        Kept * this->Period;
+      this->Plan.AreApart(batches[static_cast<std::size_t>(batch.Number)],
+        batches[static_cast<std::size_t>(next)], Kept);
     if (isOld || &batch == &this->Batches[this->Current])
     {
       drawn += this->FillLayers(window, sweep, light, batch);

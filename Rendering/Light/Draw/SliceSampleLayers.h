@@ -132,8 +132,7 @@ private:
   /// The batch that is drawn and those before.
   std::array<Batch, Kept + 1> Batches;
   std::size_t Current = 0;
-  /// The most slabs of a batch, how many batches have begun, and whether one is in the layers.
-  int Period = 1;
+  /// How many batches have begun, and whether one is in the layers.
   int Begun = 0;
   bool HasLayers = false;
   LayerBatches Plan;

@@ -16,6 +16,16 @@ namespace
 // Texels around a slice from which light is interpolated within its slab, by layers half as fine.
 constexpr double Border = 4.0;
 
+// The most slabs of a batch, whose own matter casts the shadows of a light without extent in it.
+constexpr int LongestBatch = 64;
+
+// How far shadows of the emitter's edge and of its centre may go apart within a batch, in texels of
+// the light's buffer; small lights spread what they have over a number of batches, as far as that
+// is not much below what layers can show.
+constexpr double LargestApart = 2.0;
+constexpr double LeastApart = 0.25;
+constexpr double LeastBatches = 20.0;
+
 // The tiles of a light's buffer.
 class Tiles
 {
@@ -112,9 +122,39 @@ private:
 
 }
 
-void LayerBatches::Build(const SlicePlan::ShadowedLight& light,
-  const std::vector<const SlicePolygons*>& polygons, int period, bool isWhole)
+void LayerBatches::Spread(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light)
 {
+  const double most = light.Spread * sweep.Spacing;
+  this->Period = most * LongestBatch > LargestApart
+    ? std::max(static_cast<int>(LargestApart / most), 1)
+    : LongestBatch;
+  const bool isPositional = light.Center.w > 0.0;
+  const double start = sweep.First - glm::dot(glm::dvec3(light.Center), sweep.Normal);
+  this->Apart.clear();
+  for (int slab = 0; slab <= sweep.Slabs; ++slab)
+  {
+    const double way = slab * sweep.Spacing;
+    this->Apart.push_back(light.Divergence * (isPositional ? way / (start * (start + way)) : way));
+  }
+  this->MostApart = std::max(this->Apart.back() / LeastBatches, LeastApart);
+}
+
+bool LayerBatches::AreMore(int first, int end, int batches) const
+{
+  const double apart =
+    this->Apart[static_cast<std::size_t>(end)] - this->Apart[static_cast<std::size_t>(first)];
+  return end - first > batches * this->Period || apart > batches * this->MostApart;
+}
+
+bool LayerBatches::AreApart(const Batch& first, const Batch& second, int batches) const
+{
+  return this->AreMore(first.Last, second.First, batches);
+}
+
+void LayerBatches::Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
+  const std::vector<const SlicePolygons*>& polygons, bool isWhole)
+{
+  this->Spread(sweep, light);
   this->Batches.clear();
   this->Vertices.clear();
   this->Starts.assign(1, 0);
@@ -130,7 +170,7 @@ void LayerBatches::Build(const SlicePlan::ShadowedLight& light,
     {
       continue;
     }
-    if (this->Batches.empty() || slab - this->Batches.back().First >= period)
+    if (this->Batches.empty() || this->AreMore(this->Batches.back().First, slab + 1, 1))
     {
       this->Batches.push_back({ slab, slab });
     }

@@ -16,11 +16,15 @@ class SlicePolygons;
  * @class   LayerBatches
  * @brief   the slabs whose matter goes into an area light's layers together, and where it is
  *
- * A batch begins at a slab with matter and has those of a number of slabs from there on. Its tiles
- * are the squares of about TileSize texels of the light's buffer that a slice of the batch, with a
- * border for interpolation, lies in; neighbours in a row are one rectangle. Nothing but them meets
- * matter or has matter that asks for light. The last batch has the whole buffer, so that it is
- * known everywhere in the end.
+ * A batch begins at a slab with matter and ends where shadows of the emitter's edge and of its
+ * centre may have gone apart by two texels of the light's buffer, or by a twentieth of what they do
+ * in all of the volume. All its matter counts as in its middle plane, so that shadows are off by
+ * half of that: small lights, with penumbras of a few texels, would have them off by much of their
+ * width with the first bound alone, which costs twenty batches at most. Its tiles are the squares of
+ * about TileSize texels of the light's buffer that a slice of the batch, with a border for
+ * interpolation, lies in; neighbours in a row are one rectangle. Nothing but them meets matter or
+ * has matter that asks for light. The last batch has the whole buffer, so that it is known
+ * everywhere in the end.
  */
 class LayerBatches
 {
@@ -34,10 +38,14 @@ public:
     int Last = 0;
   };
 
-  /// Finds the batches of so many slabs at most, over the matter of all \a polygons. All of them
-  /// have the whole buffer where \a isWhole.
-  void Build(const SlicePlan::ShadowedLight& light,
-    const std::vector<const SlicePolygons*>& polygons, int period, bool isWhole);
+  /// Finds the batches of the matter of all \a polygons. All of them have the whole buffer where
+  /// \a isWhole.
+  void Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
+    const std::vector<const SlicePolygons*>& polygons, bool isWhole);
+
+  /// Returns whether shadows go apart by more than in a number of batches between the end of one
+  /// batch and the start of another.
+  bool AreApart(const Batch& first, const Batch& second, int batches) const;
 
   const std::vector<Batch>& Get() const { return this->Batches; }
   /// Returns the corners x, y, 0 of triangles in clip coordinates of the buffer, batch after batch.
@@ -46,7 +54,18 @@ public:
   const std::vector<std::size_t>& GetStarts() const { return this->Starts; }
 
 private:
+  /// Finds the numbers below from which batches end.
+  void Spread(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light);
+  /// Returns whether so many batches cannot hold all slabs from \a first up to \a end.
+  bool AreMore(int first, int end, int batches) const;
+
   std::vector<Batch> Batches;
+  /// The most slabs of a batch.
+  int Period = 1;
+  /// How far shadows go apart up to each slab and up to the end of the sweep, in texels, and the
+  /// most within a batch.
+  std::vector<double> Apart;
+  double MostApart = 0.0;
   std::vector<float> Vertices;
   std::vector<std::size_t> Starts = { 0 };
 };

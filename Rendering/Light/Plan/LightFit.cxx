@@ -285,7 +285,11 @@ bool LightFit::Soften(
       // A texel is as large as it is far from the light.
       const double depth =
         glm::dot(GetRow(soft.BufferFromUnit, 3), corner) + soft.BufferFromUnit[3][3];
-      soft.Spread = std::max(soft.Spread, apart / (soft.TexelSize * depth));
+      const double spread = apart / (soft.TexelSize * depth);
+      const double distance =
+        source.IsPositional ? glm::dot(corner - source.Position, normal) : 1.0;
+      soft.Spread = std::max(soft.Spread, spread);
+      soft.Divergence = std::max(soft.Divergence, spread * distance * distance);
     }
     if (hasLayers)
     {

@@ -95,11 +95,13 @@ public:
     /// How the light's shadows are made soft; hard for wide lights.
     SoftMethods SoftMethod = HARD;
     /// For layers, one view for each sample, and how far a sample's shadow goes from the centre's,
-    /// in texels, on its way through a distance of 1 along the normal: the most in the volume.
+    /// in texels, on its way through a distance of 1 along the normal: the most in the volume, and
+    /// the most of it times the square of the distance from a positional light.
     std::vector<SampleView> Samples;
     /// The emitter's centre, as Source of a sample.
     glm::dvec4 Center{ 0.0, 0.0, 0.0, 1.0 };
     double Spread = 0.0;
+    double Divergence = 0.0;
     /// For wide lights, two directions in the slices' plane and the sweep's normal, as rows.
     std::array<double, 9> Frame{};
   };
