@@ -342,8 +342,11 @@ void TestHarmlessSteps(Check& check)
     interlume::StiffnessTest apart;
     while (!apart.IsStiff())
     {
+      // In two parts, as where a cell ends between them.
       const int harmless = static_cast<int>(random() % 8);
-      together.AddHarmless(harmless);
+      const int first = static_cast<int>(random() % (harmless + 1));
+      together.AddHarmless(first);
+      together.AddHarmless(harmless - first);
       for (int i = 0; i < harmless; ++i)
       {
         apart.Add(interlume::StiffnessTest::LeastStiff);
