@@ -3,7 +3,6 @@
 
 #include "Common/ArrayCheck.h"
 #include "Common/Blanking.h"
-#include "Common/Vectors.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -12,7 +11,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 
 namespace interlume
 {
