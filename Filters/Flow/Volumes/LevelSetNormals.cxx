@@ -84,7 +84,7 @@ private:
   }
 };
 
-// Returns the gradient in a tetrahedron times six times its volume.
+// Returns the gradient in a tetrahedron, which is positively oriented, times six times its volume.
 glm::dvec3 GetWeightedGradient(const glm::dvec3 corners[4], const double values[4])
 {
   glm::dvec3 edges[3];
@@ -97,8 +97,7 @@ glm::dvec3 GetWeightedGradient(const glm::dvec3 corners[4], const double values[
   {
     sum += (values[e + 1] - values[0]) * glm::cross(edges[(e + 1) % 3], edges[(e + 2) % 3]);
   }
-  const double determinant = glm::dot(edges[0], glm::cross(edges[1], edges[2]));
-  return determinant < 0.0 ? -sum : sum;
+  return sum;
 }
 }
 

@@ -134,6 +134,25 @@ void CheckSeam(const vtkTerminationSurface* surface, const SurfaceScale& scale,
   }
 }
 
+// Where u rounds to 1 it is 0: the seam is one place.
+void CheckRoundingAtSeam(Check& check)
+{
+  vtkNew<vtkTerminationSphere> sphere;
+  vtkNew<vtkTerminationCylinder> cylinder;
+  cylinder->SetPoint1(0.0, 0.0, -1.0);
+  cylinder->SetPoint2(0.0, 0.0, 1.0);
+  for (vtkTerminationSurface* surface :
+    { static_cast<vtkTerminationSurface*>(sphere), static_cast<vtkTerminationSurface*>(cylinder) })
+  {
+    check.That(surface->Update().empty(), "rounding at the seam: nothing is wrong");
+    const double x[3] = { 0.5, -1e-300, 0.0 };
+    double uv[2];
+    surface->EvaluateParameters(x, uv);
+    check.Near(
+      uv[0], 0.0, 0.0, std::string("rounding at the seam of a ") + surface->GetClassName(), 1.0);
+  }
+}
+
 void CheckCylinder(const SurfaceScale& scale, Check& check)
 {
   const Vector axis = { { 0.6, -0.48, 0.64 } };
@@ -240,6 +259,7 @@ void CheckBox(const SurfaceScale& scale, Check& check)
 int TestTerminationShapes(int, char*[])
 {
   Check check;
+  CheckRoundingAtSeam(check);
   std::vector<SurfaceScale> scales(5);
   scales[0].Size = 1e-9;
   scales[2].Size = 1e9;
