@@ -11,7 +11,7 @@ GENERATOR = Path(sys.argv.pop(1))
 sys.path.insert(0, str(GENERATOR))
 
 from make_measurements import main  # noqa: E402
-from measured_cells import seconds, short  # noqa: E402
+from cells import seconds, short  # noqa: E402
 
 CLAIMS = [{"text": "is fast", "met": True, "cases": [{"case": "wavelet-97", "number": 5, "met": True}]},
           {"text": "is faster", "met": False, "cases": [{"case": "wavelet-97", "number": 5, "met": True},
@@ -27,7 +27,7 @@ def interval_row(case, peer, own_seconds, peer_seconds, runs=5):
 class Folder:
     """A README.md and Documentation/ of one sentence and one table each."""
 
-    def __init__(self, page="{{table interval.speed}}\n", readme="{{readme}}\n"):
+    def __init__(self, page="{{table interval}}\n", readme="{{readme}}\n"):
         self.temporary = tempfile.TemporaryDirectory()
         self.root = Path(self.temporary.name)
         self.data = self.root / "Documentation" / "measurements"
@@ -61,30 +61,42 @@ class Folder:
 
 SLOW = [interval_row("disk-out", "clip2", 2.0, 1.0), interval_row("disk-out", "clip2-tetrahedra", 2.0, 8.0)]
 FAST = [interval_row("wavelet-97", "clip2", 1.0, 5.0), interval_row("wavelet-97", "clip2-tetrahedra", 1.0, 100.0)]
+MISSED = "{{missed interval: is faster}} The limit."
 
 
 class TestPages(unittest.TestCase):
-    def test_numbers_and_conditions(self):
+    def test_numbers(self):
         folder = Folder()
         folder.add(FAST + SLOW)
+        self.assertIn("| wavelet-97 | 1,234 | 5 | 100 | – |", folder.page())
+
+    def test_the_first_vtk_with_rows_has_the_table(self):
+        folder = Folder()
+        folder.add([dict(row, method="other") for row in SLOW])
+        folder.add(FAST, version="9.6.2")
+        self.assertIn("| wavelet-97 |", folder.page())
+        folder.add(SLOW)
+        self.assertNotIn("| wavelet-97 |", folder.page())
+
+    def test_conditions(self):
+        folder = Folder(page="{{machines}}\n\n{{runs}}\n")
+        folder.add(FAST)
         page = folder.page()
-        self.assertIn("| wavelet, 97³ points, image data | 8 | 1,234 | 5 | 100 | – |", page)
-        self.assertIn("VTK 9.1, `interlume-bench interval --quick --threads 2`, 2026-01-02, one, 2 cores, 3.5 GiB, TBB, "
-                      "gcc 12 Release, load 0.25 before; times are medians of 5 runs", page)
+        self.assertIn("one, 2 cores, 3.5 GiB, TBB, gcc 12 Release (VTK 9.1)", page)
+        self.assertIn("| `interval --quick` | [2026-01-02](measurements/vtk-9.1/interval.json), 0.25 |", page)
+        folder.add(FAST, threads=3)
+        self.assertIn("| `interval --quick --threads 3` |", folder.page())
 
     def test_one_run_is_no_median(self):
         folder = Folder()
         folder.add([interval_row("wavelet-97", "clip2", 1.0, 5.0, runs=1)])
-        page = folder.page()
-        self.assertIn("5 (one run)", page)
-        self.assertIn("times of one run", page)
-        self.assertNotIn("median", page)
+        self.assertIn("| 5* |", folder.page())
 
-    def test_each_part_has_its_date_and_load(self):
-        folder = Folder()
+    def test_the_parts_of_a_run_have_loads(self):
+        folder = Folder(page="{{runs}}\n")
         folder.add(FAST, command="a; b", parts=[{"command": "a", "date": "2026-01-02", "load": 0.5},
-                                                {"command": "b", "date": "2026-01-04"}])
-        self.assertIn("VTK 9.1, `a`, 2026-01-02, load 0.5 before; `b`, 2026-01-04, one, 2 cores", folder.page())
+                                                {"command": "b", "date": "2026-01-04", "load": 1.5}])
+        self.assertIn("| `a …` | [2026-01-02](measurements/vtk-9.1/interval.json), 0.5 to 1.5 |", folder.page())
 
     def test_losses_first_and_a_column_for_each_vtk(self):
         folder = Folder()
@@ -97,22 +109,46 @@ class TestPages(unittest.TestCase):
         self.assertIn("| 5 / 100 | 5 / 100 |", readme)
         self.assertTrue(readme.startswith("A\n") and readme.endswith("\nB\n"))
 
-    def test_missed_targets_come_first(self):
-        folder = Folder(page="{{claims interval}}\n")
+    def test_targets(self):
+        folder = Folder(page=f"{{{{targets interval}}}}\n\n- {MISSED}\n")
         folder.add(FAST, claims=CLAIMS)
         page = folder.page()
-        self.assertIn("| is faster | **missed**: disk-out: 0.5 | wavelet-97: 5 |", page)
-        self.assertLess(page.index("is faster"), page.index("is fast |"))
+        self.assertIn("Targets met: 1/2.", page)
+        self.assertIn("- *is faster*: disk-out 0.5. The limit.", page)
+        folder.add(FAST, claims=CLAIMS[:1])
+        self.assertIn("- *is faster*: not missed. The limit.", folder.page())
+
+    def test_missed_targets_need_their_limits(self):
+        folder = Folder(page="{{targets interval}}\n")
+        folder.add(FAST, claims=CLAIMS)
+        with self.assertRaisesRegex(ValueError, "no {{missed interval: is faster}} says what limits it"):
+            folder.run()
+
+    def test_targets_are_of_the_first_vtk_with_cases(self):
+        folder = Folder(page="{{targets interval}}\n")
+        folder.add(FAST, claims=[dict(CLAIMS[1], cases=[])])
+        folder.add(FAST, version="9.6.2", claims=[dict(CLAIMS[0], text="is faster")])
+        self.assertIn("Targets met: 1/1.", folder.page())
+
+    def test_values(self):
+        folder = Folder(page="It is {{value interval.memory}}.\n")
+        folder.add([{"suite": "interval", "case": case, "method": "memory", "counts": {"peak_share": share}}
+                    for case, share in (("a", 1.25), ("b", 1.0), ("c", 1.5))])
+        self.assertIn("It is 1 to 1.5.", folder.page())
+
+    def test_long_pages_are_refused(self):
+        with self.assertRaisesRegex(ValueError, "3001 words"):
+            Folder(page="word " * 3001).run()
 
     def test_null_is_no_number(self):
-        folder = Folder(page="{{table interval.speed}}\n\n{{claims interval}}\n")
+        folder = Folder(page=f"{{{{table interval}}}}\n\n{MISSED}\n")
         row = interval_row("wavelet-97", "clip2", 1.0, 5.0)
         row["counts"]["tetrahedra"] = None
-        claim = {"text": "is fast", "met": False, "cases": [{"case": "wavelet-97", "number": None, "met": False}]}
+        claim = {"text": "is faster", "met": False, "cases": [{"case": "wavelet-97", "number": None, "met": False}]}
         folder.add([row], claims=[claim])
         page = folder.page()
-        self.assertIn("| 8 | no number | 5 |", page)
-        self.assertIn("**missed**: wavelet-97: no number", page)
+        self.assertIn("| no number | 5 |", page)
+        self.assertIn("wavelet-97 no number.", page)
 
     def test_a_changed_page_is_found(self):
         folder = Folder()
@@ -146,7 +182,7 @@ class TestPages(unittest.TestCase):
             Folder(page=words + "\n").run()
 
     def test_unknown_names_are_refused(self):
-        for field in ("{{table nothing.here}}", "{{value nothing}}", "{{nothing}}"):
+        for field in ("{{table nothing}}", "{{value nothing}}", "{{nothing}}"):
             with self.assertRaises(ValueError):
                 Folder(page=field + "\n").run()
 

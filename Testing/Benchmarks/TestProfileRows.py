@@ -9,7 +9,6 @@ GENERATOR = Path(sys.argv.pop(1))
 sys.path.insert(0, str(GENERATOR))
 
 from profile_suites import PROFILED, joined, name_of, profiled_rows, read_samples, shares  # noqa: E402
-from suites.profiles import largest  # noqa: E402
 
 OWN = "/build/lib/libInterlumeIntervals.so.0.1.0"
 SCRIPT = f"""
@@ -81,10 +80,6 @@ class TestShares(unittest.TestCase):
         self.assertEqual([part["date"] for part in all_of["conditions"]["parts"]], ["second", "third"])
         self.assertEqual(len(all_of["rows"]), len(PROFILED["interval"][1]) + len(PROFILED["contour"][1]))
         self.assertTrue(all_of["rows"][0]["case"].startswith("interval: "))
-
-    def test_small_shares_are_put_together(self):
-        self.assertEqual(largest({"a": 0.75, "b": 0.2, "c": 0.02, "d": 0.02, "e": 0.01}), "a 75 %, b 20 %, others 5 %")
-        self.assertEqual(largest({"a": 0.75, "b": 0.25}), "a 75 %, b 25 %")
 
 
 if __name__ == "__main__":

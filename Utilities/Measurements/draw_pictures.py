@@ -14,7 +14,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from measured_rows import Results
+from results import Results
 
 PICTURE = re.compile(r"\(pictures/measured-([\w-]+)\.png\)")
 

@@ -12,8 +12,8 @@ import argparse
 import sys
 from pathlib import Path
 
-from measured_pages import Pages
-from measured_rows import split_report
+from pages import Pages
+from results import split_report
 
 
 def main():

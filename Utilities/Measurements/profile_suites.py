@@ -17,7 +17,7 @@ import tempfile
 from collections import Counter
 from pathlib import Path
 
-from measured_rows import short_version
+from results import short_version
 
 # By suite: samples a second, and the rows, by case, method and parameter.
 PROFILED = {

@@ -1,0 +1,186 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pages from templates, whose fields in {{ }} are filled from the measurements.
+
+{{runs}}: what was run, and when; {{machines}}: where; {{table NAME}}: a table of tables.py; {{value NAME}}: a number in
+a sentence; {{targets SUITE}}: how many targets are met; {{missed SUITE: TEXT}}: a missed target with its cases;
+{{readme}}: the README's table; {{"text"}}: text that is not a measurement, such as a setting.
+Every missed target needs its {{missed}}, so that the page says what limits it.
+"""
+
+import re
+from pathlib import Path
+
+from cells import NOTHING, markdown, number_of, short, span_of, text_of
+from results import Results
+from tables import README_LINES, TABLES, VALUES
+
+FIELD = re.compile(r"\{\{(.+?)\}\}")
+README_BLOCK = re.compile(r"(<!-- measured: .*? -->\n).*?(<!-- /measured -->)", re.DOTALL)
+# What is not prose: fields, code, images, the targets of links, versions of programs.
+NOT_PROSE = re.compile(r"\{\{.*?\}\}|`[^`]*`|!\[[^\]]*\]\([^)]*\)|\]\([^)]*\)|\b(?:VTK|ParaView|Debian) [\d.]+")
+# Generated parts of the README, and code.
+NOT_TYPED = re.compile(r"<!-- (versions|measured).*?<!-- (?:end of |/)\1 -->|```.*?```", re.DOTALL)
+MEASURED = re.compile(r"\d\.\d|\d ?%|\d\s?e-?\d|\d ?(?:s|ms|µs|MB|MiB|GB|GiB|times|million)\b")
+MOST_WORDS = 3000
+# A VTK with results of fewer suites has no column in the README.
+FEWEST_SUITES = 3
+
+
+def check_words(name, text):
+    """Raises ValueError if prose has a measured number, which no command would update."""
+    for number, line in enumerate(text.splitlines(), 1):
+        found = MEASURED.search(NOT_PROSE.sub(" ", line))
+        if found:
+            raise ValueError(f"{name}:{number}: \"{found.group()}\" is typed by hand: {line.strip()}")
+
+
+def only_row(run, fields):
+    """The row with these fields, or None."""
+    found = run.select(**fields)
+    if len(found) > 1:
+        raise ValueError(f"{run.path}: {len(found)} rows of {run.suite} are {fields}")
+    return found[0] if found else None
+
+
+def table_text(run, table):
+    """A line for each value of the fields `by` among the rows `where`, a column for each template."""
+    lines = {}
+    for row in run.select(**table["where"]):
+        key = {name: row.get(name) for name in table["by"]}
+        words = ", ".join(short(table.get("names", {}).get(part, part)) for part in key.values() if part is not None)
+        cells = []
+        for _, template, *fields in table["columns"]:
+            found = only_row(run, {**(fields[0] if fields else table["where"]), **key})
+            cells.append(text_of(found, template) if found else NOTHING)
+        lines[words] = [words, *cells]
+    heads = [column[0] for column in table["columns"]]
+    return markdown([table["head"], *heads], lines.values()) if lines else ""
+
+
+def line_ratios(run, line):
+    """The ratios of a line of the README's table as numbers and as text, or None if one is missing."""
+    rows = [only_row(run, fields) for fields in line["rows"]] if run else [None]
+    if None in rows:
+        return None
+    numbers = [number_of(row, "ratio") for row in rows]
+    texts = [text_of(row, "{ratio}").rstrip("*") for row in rows]
+    return min(numbers), " / ".join(f"**{text}**" if number < 1 else text for number, text in zip(numbers, texts))
+
+
+class Pages:
+    """The pages made of the templates and measurements in a directory.
+
+    If `explains` is false, missed targets need no {{missed}}: those of small cases say nothing.
+    """
+
+    def __init__(self, folder, explains=True):
+        self.explains = explains
+        self.folder = Path(folder)
+        self.results = Results(folder)
+        self.stated = set()
+
+    def written(self, root):
+        """The texts of measurements.md and of README.md, by path."""
+        readme = root / "README.md"
+        old = readme.read_text(encoding="utf-8")
+        if not README_BLOCK.search(old):
+            raise ValueError(f"{readme} has no block <!-- measured: --> ... <!-- /measured -->")
+        check_words(readme, NOT_TYPED.sub(lambda found: "\n" * found.group().count("\n"), old))
+        block = self.expanded("readme.in.md")
+        page = self.expanded("page.in.md")
+        if len(page.split()) > MOST_WORDS:
+            raise ValueError(f"the page has {len(page.split())} words, more than {MOST_WORDS}")
+        return {root / "Documentation" / "measurements.md": page,
+                readme: README_BLOCK.sub(lambda found: found.group(1) + block + found.group(2), old)}
+
+    def expanded(self, name):
+        text = (self.folder / name).read_text(encoding="utf-8")
+        check_words(self.folder / name, text)
+        self.stated = set(re.findall(r"\{\{missed (.+?)\}\}", text))
+        # A field may have no text.
+        return re.sub(r"\n{3,}", "\n\n", FIELD.sub(lambda found: self.field(found.group(1)), text))
+
+    def field(self, words):
+        if words.startswith('"'):
+            return words.strip('"')
+        kind, _, name = words.partition(" ")
+        makers = {"table": self.table, "targets": self.targets, "missed": self.missed, "value": self.value,
+                  "runs": self.runs, "machines": self.machines, "readme": self.readme}
+        if kind not in makers:
+            raise ValueError(f"{{{{{words}}}}} is unknown")
+        try:
+            return makers[kind](name)
+        except KeyError as missing:
+            raise ValueError(f"{{{{{words}}}}}: there is no {missing}") from missing
+
+    def table(self, name):
+        """The table with the rows of the first VTK that has some."""
+        table = TABLES[name]
+        texts = filter(None, (table_text(run, table) for run in self.results.of(table["suite"])))
+        return next(texts, f"`interlume-bench {table['suite']}` has not been run for this yet.")
+
+    def targets_of(self, suite):
+        """The targets of a suite by their text, each of the first VTK that has cases of it."""
+        found = {}
+        for run in self.results.of(suite):
+            for target in run.targets:
+                found.setdefault(target["text"], target)
+        return found
+
+    def targets(self, suite):
+        found = self.targets_of(suite)
+        for text, target in found.items():
+            if self.explains and not target["met"] and f"{suite}: {text}" not in self.stated:
+                raise ValueError(f"no {{{{missed {suite}: {text}}}}} says what limits it")
+        met = sum(target["met"] for target in found.values())
+        return f"Targets met: {met}/{len(found)}." if found else ""
+
+    def missed(self, words):
+        suite, _, text = words.partition(": ")
+        target = self.targets_of(suite).get(text)
+        if target is None or target["met"]:
+            # Of a run of few cases.
+            return f"*{text}*: not missed."
+        cases = [f"{case['case']} {short(case['number'])}" for case in target["cases"] if not case["met"]]
+        more = f" and {len(cases) - 2} more" if len(cases) > 2 else ""
+        return f"*{text}*: {'; '.join(cases[:2])}{more}."
+
+    def value(self, name):
+        suite, template, fields = VALUES[name]
+        runs = self.results.of(suite)
+        return span_of(runs[0].select(**fields), template) if runs else "(not measured)"
+
+    def runs(self, _):
+        lines = {}
+        for (_, version), run in sorted(self.results.runs.items()):
+            lines.setdefault(run.command(), {})[version] = run.when()
+        versions = self.results.versions()
+        return markdown(["command", *(f"VTK {version}: date, load" for version in versions)],
+                        [[f"`{command}`", *(line.get(version, NOTHING) for version in versions)]
+                         for command, line in lines.items()])
+
+    def machines(self, _):
+        found = {}
+        for (_, version), run in self.results.runs.items():
+            found.setdefault(run.machine_text(), set()).add(version)
+        return "; ".join(f"{machine} (VTK {', '.join(sorted(versions))})" for machine, versions in found.items())
+
+    def readme(self, _):
+        """Ratios to baselines, a column for each VTK, losses first."""
+        measured = [version for _, version in self.results.runs]
+        columns = [version for version in self.results.versions() if measured.count(version) >= FEWEST_SUITES]
+        columns = columns or self.results.versions()
+        lines = []
+        for line in README_LINES:
+            found = {version: line_ratios(self.results.runs.get((line["suite"], version)), line)
+                     for version in self.results.versions()}
+            found = {version: made for version, made in found.items() if made}
+            others = [f"{text} (VTK {version})" for version, (_, text) in found.items() if version not in columns]
+            texts = [found[version][1] if version in found else NOTHING for version in columns]
+            if others:
+                texts[0] = ", ".join([text for text in texts[:1] if text != NOTHING] + others)
+            if found:
+                least = min(number for number, _ in found.values())
+                lines.append((least, [line["work"], line["data"], line["peer"], *texts]))
+        heads = ["work", "data", "peer", *(f"ratio, VTK {version}" for version in columns)]
+        return markdown(heads, [line for _, line in sorted(lines, key=lambda one: one[0])])
