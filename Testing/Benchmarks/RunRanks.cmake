@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# cmake -D "MPIEXEC=mpiexec;-n" -D PROGRAM=interlume-bench-ranks -D GROWTH=rows.json -D FOLDER=folder -P RunRanks.cmake
+# cmake -D "MPIEXEC=mpiexec;-n" -D PROGRAM=interlume-bench-ranks -D FOLDER=folder -P RunRanks.cmake
 # Runs the program by one and by two processes and puts what they wrote together, as FOLDER/ranks.json.
 cmake_minimum_required(VERSION 3.16)
 foreach (ranks IN ITEMS 1 2)
@@ -10,7 +10,7 @@ foreach (ranks IN ITEMS 1 2)
   endif ()
 endforeach ()
 execute_process(COMMAND "${PROGRAM}" --from "${FOLDER}/ranks-1.json" --from "${FOLDER}/ranks-2.json"
-  --growth "${GROWTH}" --json "${FOLDER}/ranks.json" RESULT_VARIABLE result)
+  --json "${FOLDER}/ranks.json" RESULT_VARIABLE result)
 if (result)
   message(FATAL_ERROR "ERROR: ${PROGRAM} --from ended with ${result}")
 endif ()

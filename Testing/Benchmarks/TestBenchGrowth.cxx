@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Exponents, claims and what a cluster needs, on rows that are made up.
-#include "Benchmarks/Growth/ClusterNeeds.h"
-#include "Benchmarks/Growth/ExtractionGrowth.h"
+// Exponents and claims on rows that are made up.
 #include "Benchmarks/Growth/GrowthFit.h"
 #include "Benchmarks/Growth/GrowthMeasure.h"
-#include "Benchmarks/Growth/TimeGrowth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -112,22 +109,15 @@ void TestClaims()
   Expect(growth::CheckExponents(rows.Get())[0].Cases.back().Met, "0.8 is not from 2/3 to 1");
 }
 
-void TestThreads()
+void TestOneSize()
 {
   BenchRows rows("growth");
-  growth::Quantity threads = MakeQuantity("threads");
-  threads.Time = { 0.0, 0.0, "" };
-  threads.Wall = growth::Theory{ -1.0, -1.0, "" };
-  AddSizes(threads, 0.0, 0.0, rows);
-  growth::AddExponentRows(threads, rows);
-  ExpectNear(GetExponent("threads", growth::WallExponent, rows.Get()), -1.0, "time shared");
-  ExpectNear(GetExponent("threads", growth::TimeExponent, rows.Get()), 0.0, "the same work");
-  Expect(growth::CheckExponents(rows.Get())[2].Cases.size() == 1, "no claim of wall time");
-
-  BenchRows ofOne("growth");
-  ofOne.Add(rows.Get().front());
-  growth::AddExponentRows(threads, ofOne);
-  Expect(growth::CheckExponents(ofOne.Get())[0].Cases.empty(), "one point makes no exponent");
+  const growth::Quantity one = MakeQuantity("one");
+  AddSizes(one, 0.0, 0.0, rows);
+  BenchRows first("growth");
+  first.Add(rows.Get().front());
+  growth::AddExponentRows(one, first);
+  Expect(growth::CheckExponents(first.Get())[0].Cases.empty(), "one point makes no exponent");
 }
 
 /// What is taken off, memory of some pages, and a difference below nothing.
@@ -163,43 +153,6 @@ void TestDifferences()
     "an exponent of memory that was not measured");
 }
 
-void TestCluster()
-{
-  BenchRows rows("growth");
-  growth::AddClusterRows(rows);
-  Expect(rows.Get().empty(), "needs of nothing");
-  const auto add = [&](const char* name, double timePower, double memoryPower)
-  {
-    const growth::Quantity quantity = MakeQuantity(name);
-    AddSizes(quantity, timePower, memoryPower, rows);
-    growth::AddExponentRows(quantity, rows);
-  };
-  add(growth::Cells, 1.0, 1.0);
-  add(growth::CellsInTime, 1.0, 1.0);
-  add(growth::Steps, 1.0, 1.0);
-  growth::AddClusterRows(rows);
-  const std::vector<BenchRow>& made = rows.Get();
-  // 2 s and 10,000 KiB a cell.
-  const auto check = [&](const std::string& method, int ranks, double seconds, double kib)
-  {
-    const auto row = std::find_if(made.begin(), made.end(),
-      [&](const BenchRow& one)
-      { return one.Method == "computed: " + method && one.Counts.value("ranks", 0) == ranks; });
-    Expect(row != made.end(), "no row " + method);
-    if (row != made.end())
-    {
-      ExpectNear(row->Counts["computed_seconds"], seconds, method + ", seconds");
-      ExpectNear(row->Counts["kib_a_rank"], kib, method + ", KiB");
-    }
-  };
-  const double cells = std::pow(1024.0, 3) / 64.0;
-  const double step = 4.0 * cells / 1024.0;
-  check("interval volume of each step", 64, 200.0 * cells, step + 1e4 * cells);
-  check("in time, slab by slab", 64, 198.0 * cells, 2.0 * step + 1e4 * cells);
-  check("in time, all at once", 64, 198.0 * cells, 2.0 * step + 99.0 * 1e4 * cells);
-  check("in time, slab by slab", 256, 49.5 * cells, 0.5 * step + 0.25 * 1e4 * cells);
-}
-
 /// Each with a name of its own, four to six sizes, and a reason.
 void TestQuantities()
 {
@@ -222,8 +175,7 @@ int main()
 {
   TestQuantities();
   TestClaims();
-  TestThreads();
+  TestOneSize();
   TestDifferences();
-  TestCluster();
   return Right ? EXIT_SUCCESS : EXIT_FAILURE;
 }

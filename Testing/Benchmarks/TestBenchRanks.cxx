@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What runs of several numbers of processes are put together to, on rows that are made up.
-#include "Benchmarks/Growth/ExtractionGrowth.h"
-#include "Benchmarks/Growth/GrowthFit.h"
-#include "Benchmarks/Growth/GrowthMeasure.h"
 #include "Benchmarks/Ranks/RankRows.h"
 #include "Reference/Checks/ReferenceCheck.h"
 
-#include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace
 {
-/// Processes that take the seconds given, and a wavelet of 1000 cells shared by them.
+/// Processes that take the seconds given.
 BenchResults MakeRun(const std::vector<double>& seconds, const std::vector<double>& kib)
 {
   const int number = static_cast<int>(seconds.size());
@@ -25,26 +20,8 @@ BenchResults MakeRun(const std::vector<double>& seconds, const std::vector<doubl
   const ranks::Times times{ 9.0, 3, seconds, std::vector<double>(seconds.size(), 40.0) };
   rows.Add(ranks::MakeWeakRow(rows, "flow", times));
   rows.Add(ranks::MakeMemoryRow(rows, "flow", number, kib));
-  rows.Add(ranks::MakePointRow(rows, 1000.0 / number, times, kib));
   run.Rows = rows.Get();
   return run;
-}
-
-/// 2 seconds and 256 KiB at 250 cells; twice the cells take 2^0.5 times as long and twice as much.
-std::vector<BenchRow> MakeGrowth()
-{
-  BenchRows rows("growth");
-  BenchRow size = rows.Make(growth::Cells, growth::SizeMethod);
-  size.Counts = { { "n", 250.0 }, { "processor_seconds", 2.0 }, { "kib", 256.0 } };
-  rows.Add(size);
-  for (const auto [method, exponent] :
-    { std::make_pair(growth::TimeExponent, 0.5), std::make_pair(growth::MemoryExponent, 1.0) })
-  {
-    BenchRow row = rows.Make(growth::Cells, method);
-    row.Counts["exponent"] = exponent;
-    rows.Add(row);
-  }
-  return rows.Get();
 }
 
 double Get(const BenchResults& results, const std::string& method, int ranks, const char* count)
@@ -65,8 +42,7 @@ int main()
   reference::Check check;
   const std::vector<BenchResults> runs = { MakeRun({ 3.0 }, { 800.0 }),
     MakeRun({ 4.0, 8.0 }, { 300.0, 600.0 }) };
-  const BenchResults joined = ranks::Join(runs, MakeGrowth());
-  constexpr const char* point = "interval volume of a step";
+  const BenchResults joined = ranks::Join(runs);
   constexpr double tolerance = 1e-12;
   check.Near(Get(joined, "weak scaling", 1, "efficiency"), 1.0, tolerance, "efficiency of one");
   check.Near(Get(joined, "weak scaling", 2, "efficiency"), 0.5, tolerance, "efficiency of two");
@@ -74,20 +50,10 @@ int main()
   check.Near(Get(joined, "weak scaling", 2, "work"), 40.0, tolerance, "work");
   check.Near(
     Get(joined, "memory", 2, "share"), 0.75, tolerance, "share of the one that takes most");
-  check.Near(Get(joined, point, 2, "cells"), 500.0, tolerance, "cells a rank");
-  check.Near(Get(joined, point, 2, "processor_seconds"), 6.0, tolerance, "mean time of the point");
-  check.Near(
-    Get(joined, point, 2, "computed_seconds"), 2.0 * std::sqrt(2.0), tolerance, "computed");
-  // A float a cell beside what grows.
-  check.Near(Get(joined, point, 2, "computed_kib"), 512.0 + 500.0 * 4.0 / 1024.0, tolerance,
-    "computed memory");
-  check.Near(Get(joined, point, 1, "computed_seconds"), 4.0, tolerance, "computed of one");
   check.That(joined.Conditions.at("parts").size() == 2, "conditions of both");
   check.Near(joined.Suites.at(ranks::Suite).at("took").get<double>(), 10.0, tolerance, "took");
 
-  const BenchResults without = ranks::Join(runs, {});
-  check.Near(Get(without, point, 2, "computed_seconds"), -1.0, 0.0, "nothing without growth");
-  const BenchResults unknown = ranks::Join({ MakeRun({ 3.0 }, {}) }, {});
+  const BenchResults unknown = ranks::Join({ MakeRun({ 3.0 }, {}) });
   check.Near(Get(unknown, "memory", 1, "kib"), -1.0, 0.0, "memory that nobody can tell");
   check.Near(Get(unknown, "memory", 1, "share"), -1.0, 0.0, "nor its share");
   return check.Result();

@@ -125,9 +125,7 @@ void CheckMethods(const nlohmann::json& rows)
         "5 steps, on each other", "paint filtered", "paint looked up once", "lines",
         "averaged levels, lines" } },
     { "growth",
-      { "growth", "growth without", "time exponent", "memory exponent", "wall exponent",
-        "computed: interval volume of each step", "computed: in time, slab by slab",
-        "computed: in time, all at once" } },
+      { "growth", "growth without", "time exponent", "memory exponent" } },
   };
   std::map<std::string, std::set<std::string>> seen;
   for (const auto& row : rows)

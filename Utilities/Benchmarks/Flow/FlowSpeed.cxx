@@ -261,8 +261,6 @@ void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
 {
   const auto ratio = [](const BenchRow& row) { return *row.GetRatio(); };
-  const auto steps = [](const BenchRow& row)
-  { return row.Counts["steps_per_second_ratio"].get<double>(); };
   return {
     BenchClaim::AtLeast("at least 8 times as many samples a second as streamtracer at equal error, "
                         "images, 1 thread",
@@ -270,12 +268,6 @@ std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
     BenchClaim::AtLeast("at least 4 times as many samples a second as streamtracer at equal error, "
                         "unstructured grids, 1 thread",
       4.0, rows, OfEqualError(false, ratio)),
-    BenchClaim::AtLeast("at least 8 times as many steps a second as streamtracer at equal error, "
-                        "images, 1 thread",
-      8.0, rows, OfEqualError(true, steps)),
-    BenchClaim::AtLeast("at least 4 times as many steps a second as streamtracer at equal error, "
-                        "unstructured grids, 1 thread",
-      4.0, rows, OfEqualError(false, steps)),
     BenchClaim::AtLeast("at least 8 times as many samples a second as streamtracer at equal error, "
                         "unstructured grids, executed again, 1 thread",
       8.0, rows,

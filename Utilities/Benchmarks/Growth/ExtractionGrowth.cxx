@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Growth/ExtractionGrowth.h"
+#include "Benchmarks/Growth/GrowthQuantity.h"
 
 #include "Benchmarks/Data/BenchData.h"
 #include "Benchmarks/Intervals/ExtractionMethods.h"
@@ -32,12 +32,10 @@ std::vector<int> GetPoints(const BenchOptions& options)
 }
 }
 
-const char* const Cells = "cells";
-
 Quantity MakeCells(const BenchOptions& options)
 {
   Quantity made;
-  made.Name = Cells;
+  made.Name = "cells";
   made.Counted = "cells";
   made.Work = "vtkIntervalVolume of a wavelet, the interval the same at every resolution, 1 thread";
   made.Sizes = GetPoints(options);
@@ -81,7 +79,6 @@ Quantity MakeThreads(const BenchOptions& options)
   {
     made.Sizes.push_back(threads);
   }
-  made.Wall = Theory{ -1.0, -1.0, "threads share the blocks of cells" };
   made.Memory = { 0.0, 0.0, "the output is the same, and each thread's own buffers are a part" };
   made.Time = { 0.0, 0.0, "no thread does the work of another again" };
   const std::vector<int> points = GetPoints(options);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Growth/FlowGrowth.h"
+#include "Benchmarks/Growth/GrowthQuantity.h"
 
 #include "vtkAnalyticFlowSource.h"
 #include "vtkImplicitFlowField.h"

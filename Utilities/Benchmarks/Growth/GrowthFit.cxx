@@ -34,11 +34,6 @@ std::optional<double> GetSeconds(const BenchRow& row)
     1e-6);
 }
 
-std::optional<double> GetWallSeconds(const BenchRow& row)
-{
-  return GetDifference(*row.Seconds, row.PeerSeconds ? row.PeerSeconds->Value : 0.0);
-}
-
 std::optional<double> GetKib(const BenchRow& row)
 {
   return row.Counts.contains("kib")
@@ -48,7 +43,6 @@ std::optional<double> GetKib(const BenchRow& row)
 
 const Measure OfTime = { TimeExponent, GetSeconds };
 const Measure OfMemory = { MemoryExponent, GetKib };
-const Measure OfWall = { WallExponent, GetWallSeconds };
 
 struct Points
 {
@@ -152,23 +146,17 @@ void AddLines(const BenchRow& exponent, const Measure& measure, double unit, con
 
 const char* const TimeExponent = "time exponent";
 const char* const MemoryExponent = "memory exponent";
-const char* const WallExponent = "wall exponent";
 
 void AddExponentRows(const Quantity& quantity, BenchRows& rows)
 {
   AddExponent(quantity.Name, OfTime, quantity.Time, rows);
   AddExponent(quantity.Name, OfMemory, quantity.Memory, rows);
-  if (quantity.Wall)
-  {
-    AddExponent(quantity.Name, OfWall, *quantity.Wall, rows);
-  }
 }
 
 std::vector<BenchClaim> CheckExponents(const std::vector<BenchRow>& rows)
 {
   return { CheckExponent("processor time against N", OfTime, rows),
-    CheckExponent("memory against N", OfMemory, rows),
-    CheckExponent("wall time against N", OfWall, rows) };
+    CheckExponent("memory against N", OfMemory, rows) };
 }
 
 std::vector<BenchPlot> MakeGrowthPlots(

@@ -14,12 +14,10 @@ namespace growth
 {
 ///@{
 /**
- * The methods of the rows of an exponent: of the processor time of all threads, in which what else
- * the machine does is not; of KiB; and of wall time.
+ * The methods of the rows of an exponent: of the processor time of all threads, and of KiB.
  */
 extern const char* const TimeExponent;
 extern const char* const MemoryExponent;
-extern const char* const WallExponent;
 ///@}
 
 /// How far a fitted exponent may be from theory's.
@@ -38,7 +36,7 @@ constexpr double LeastShare = 0.01;
 void AddExponentRows(const Quantity& quantity, BenchRows& rows);
 
 /**
- * The claims that every exponent, of time, memory and wall time, is within Margin of theory's.
+ * The claims that every exponent, of time and memory, is within Margin of theory's.
  */
 std::vector<BenchClaim> CheckExponents(const std::vector<BenchRow>& rows);
 

@@ -4,6 +4,7 @@
 
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Suites/BenchOptions.h"
+#include "Benchmarks/Tetrahedra/TetrahedraMethods.h"
 
 #include <functional>
 #include <optional>
@@ -67,10 +68,43 @@ struct Quantity
   /// Of the processor time of all threads.
   Theory Time;
   Theory Memory;
-  /// Of wall time, where that is of interest by itself.
-  std::optional<Theory> Wall;
   std::function<Job(int size, const BenchOptions& options)> Make;
 };
+
+///@{
+/**
+ * Extraction from the wavelet, which has the same waves at every size: the interval volume and the
+ * contour against cells, the interval volume of one size against threads.
+ */
+Quantity MakeCells(const BenchOptions& options);
+Quantity MakeContour(const BenchOptions& options);
+Quantity MakeThreads(const BenchOptions& options);
+///@}
+
+///@{
+/**
+ * vtkTimeVaryingIntervalVolume against 4-simplices, of a growing interval on one grid; against the
+ * cells of a gyroid that moves; and against the slabs between its time steps, which have equal
+ * work. Also vtkTimeSlabWriter on these slabs, into a temporary directory.
+ */
+Quantity MakeSimplices(const BenchOptions& options);
+Quantity MakeCellsInTime(const BenchOptions& options);
+Quantity MakeSteps(const BenchOptions& options);
+Quantity MakeWrittenSteps(const BenchOptions& options);
+///@}
+
+///@{
+/**
+ * Memory of the first frame of a new mapper and time of later frames, each after a small turn.
+ * Lights are measured over the same image without shadows.
+ */
+Quantity MakeTetrahedra(const BenchOptions& options, const tetrahedra::RenderPath& path);
+Quantity MakeSlices(const BenchOptions& options);
+Quantity MakeLights(const BenchOptions& options);
+///@}
+
+/// vtkImplicitFlowField against samples.
+Quantity MakeSamples(const BenchOptions& options);
 
 /**
  * Every quantity, with the sizes of \a options, in the order of the report.

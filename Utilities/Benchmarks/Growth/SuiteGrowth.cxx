@@ -1,9 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Growth/ClusterNeeds.h"
 #include "Benchmarks/Growth/GrowthFit.h"
 #include "Benchmarks/Growth/GrowthMeasure.h"
 #include "Benchmarks/Growth/GrowthQuantity.h"
 #include "Benchmarks/Suites/BenchSuites.h"
+
+namespace growth
+{
+std::vector<Quantity> MakeQuantities(const BenchOptions& options)
+{
+  std::vector<Quantity> made = { MakeCells(options), MakeContour(options), MakeSimplices(options),
+    MakeCellsInTime(options), MakeSteps(options), MakeWrittenSteps(options) };
+  for (const tetrahedra::RenderPath& path : tetrahedra::AllRenderPaths())
+  {
+    made.push_back(MakeTetrahedra(options, path));
+  }
+  made.push_back(MakeSlices(options));
+  made.push_back(MakeLights(options));
+  made.push_back(MakeSamples(options));
+  made.push_back(MakeThreads(options));
+  return made;
+}
+}
 
 namespace
 {
@@ -31,18 +48,14 @@ std::vector<std::string> SuiteGrowth::GetDescription() const
     "memory grew at most in an execution or first frame by what was made anew, over the input and "
     "what was there before. It has what software OpenGL keeps, not what a graphics card does. Peer "
     "without: what is taken off both.",
-    "time exponent, memory exponent, wall exponent: the exponent of N, the slope of a line through "
-    "the logarithms by least squares, for the processor time of all threads, which what else the "
-    "machine does is not in, the memory and the wall time; least and most are theory's, the "
-    "parameter says why. Memory below 64 KiB is taken as that."
+    "time exponent, memory exponent: the exponent of N, the slope of a line through the logarithms "
+    "by least squares, for the processor time of all threads, which excludes other programs, and "
+    "the memory; least and most are theory's, the parameter states the reason. Memory below 64 KiB "
+    "counts as 64 KiB."
   };
   for (const growth::Quantity& quantity : growth::MakeQuantities(BenchOptions()))
   {
     text.push_back(quantity.Name + ": " + quantity.Work + ".");
-  }
-  for (const std::string& paragraph : growth::DescribeClusterNeeds())
-  {
-    text.push_back(paragraph);
   }
   return text;
 }
@@ -58,7 +71,6 @@ void SuiteGrowth::Run(const BenchOptions& options, BenchRows& rows) const
     }
     growth::AddExponentRows(quantity, rows);
   }
-  growth::AddClusterRows(rows);
 }
 
 nlohmann::ordered_json SuiteGrowth::RunTask(

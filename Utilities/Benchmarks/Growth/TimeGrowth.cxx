@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Growth/TimeGrowth.h"
+#include "Benchmarks/Growth/GrowthQuantity.h"
 
 #include "Benchmarks/SpaceTime/VortexShares.h"
 
@@ -125,9 +125,6 @@ Job MakeWriterJob(int points, int slabs)
 }
 }
 
-const char* const CellsInTime = "cells in time";
-const char* const Steps = "time steps";
-
 Quantity MakeSimplices(const BenchOptions& options)
 {
   Quantity made;
@@ -154,7 +151,7 @@ Quantity MakeSimplices(const BenchOptions& options)
 Quantity MakeCellsInTime(const BenchOptions& options)
 {
   Quantity made;
-  made.Name = CellsInTime;
+  made.Name = "cells in time";
   made.Counted = "cells";
   made.Work = "vtkTimeVaryingIntervalVolume of two steps of a gyroid, the interval the same at "
               "every resolution, 1 thread";
@@ -179,7 +176,7 @@ Quantity MakeCellsInTime(const BenchOptions& options)
 Quantity MakeSteps(const BenchOptions& options)
 {
   Quantity made;
-  made.Name = Steps;
+  made.Name = "time steps";
   made.Counted = "slabs between time steps";
   made.Work =
     "vtkTimeVaryingIntervalVolume of a gyroid that moves, all slabs in one output, steps in "

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Ranks/RankCases.h"
 
-#include "Benchmarks/Data/BenchData.h"
-
 #include "vtkAnalyticFlowSource.h"
 #include "vtkImplicitFlowField.h"
 #include "vtkIntervalVolume.h"
@@ -75,16 +73,6 @@ protected:
   }
 };
 vtkStandardNewMacro(WaveSource);
-
-vtkSmartPointer<vtkIntervalVolume> MakeVolumeOf(vtkAlgorithm* source, double lower, double upper)
-{
-  auto volume = vtkSmartPointer<vtkIntervalVolume>::New();
-  volume->SetInputConnection(source->GetOutputPort());
-  volume->SetInterval(0, lower, upper);
-  volume->SetUseValueIndex(false);
-  volume->UpdateInformation();
-  return volume;
-}
 }
 
 vtkSmartPointer<vtkIntervalVolume> MakeVolume(int cells, int periods)
@@ -92,7 +80,12 @@ vtkSmartPointer<vtkIntervalVolume> MakeVolume(int cells, int periods)
   vtkNew<WaveSource> source;
   source->Cells = cells;
   source->Periods = periods;
-  return MakeVolumeOf(source, 0.3, 0.7);
+  auto volume = vtkSmartPointer<vtkIntervalVolume>::New();
+  volume->SetInputConnection(source->GetOutputPort());
+  volume->SetInterval(0, 0.3, 0.7);
+  volume->SetUseValueIndex(false);
+  volume->UpdateInformation();
+  return volume;
 }
 
 vtkSmartPointer<vtkImplicitFlowField> MakeFlow(int points, int periods, int samples)
@@ -110,11 +103,5 @@ vtkSmartPointer<vtkImplicitFlowField> MakeFlow(int points, int periods, int samp
   filter->SetSampleDimensions(samples * periods, samples, samples);
   filter->UpdateInformation();
   return filter;
-}
-
-vtkSmartPointer<vtkIntervalVolume> MakeWaveletVolume(int points)
-{
-  const auto source = MakeWaveletSource(points);
-  return MakeVolumeOf(source, WaveletLower, WaveletUpper);
 }
 }

@@ -20,9 +20,6 @@ vtkSmartPointer<vtkIntervalVolume> MakeVolume(int cells, int periods);
 /// The ABC flow, which is periodic, for a time in which no streamline goes far: the same work in
 /// every period, of \a points and \a samples along an axis.
 vtkSmartPointer<vtkImplicitFlowField> MakeFlow(int points, int periods, int samples);
-
-/// The interval volume of the wavelet of the suite growth's cells, at \a points along an axis.
-vtkSmartPointer<vtkIntervalVolume> MakeWaveletVolume(int points);
 }
 
 #endif

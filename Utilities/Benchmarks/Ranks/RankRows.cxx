@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Ranks/RankRows.h"
 
-#include "Benchmarks/Growth/ClusterNeeds.h"
 #include "Benchmarks/Results/BenchMachine.h"
 
 #include <algorithm>
@@ -14,18 +13,10 @@ namespace
 {
 const char* const Weak = "weak scaling";
 const char* const Strong = "memory";
-const char* const Point = "interval volume of a step";
 
 double GetMean(const std::vector<double>& values)
 {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-void SetTimes(BenchRow& row, const Times& times)
-{
-  row.Parameter = times.ProcessorSeconds.size();
-  row.Seconds = { times.Seconds, times.Runs };
-  row.Counts["processor_seconds"] = GetMean(times.ProcessorSeconds);
 }
 
 /// A count of the row of one process with the same case and method, or 0.
@@ -49,7 +40,9 @@ void SetRatio(BenchRow& row, const char* name, double value, double over)
 BenchRow MakeWeakRow(const BenchRows& rows, const std::string& theCase, const Times& times)
 {
   BenchRow row = rows.Make(theCase, Weak);
-  SetTimes(row, times);
+  row.Parameter = times.ProcessorSeconds.size();
+  row.Seconds = { times.Seconds, times.Runs };
+  row.Counts["processor_seconds"] = GetMean(times.ProcessorSeconds);
   row.Counts["most_processor_seconds"] =
     *std::max_element(times.ProcessorSeconds.begin(), times.ProcessorSeconds.end());
   row.Counts["work"] = GetMean(times.Work);
@@ -68,20 +61,7 @@ BenchRow MakeMemoryRow(
   return row;
 }
 
-BenchRow MakePointRow(
-  const BenchRows& rows, double cells, const Times& times, const std::vector<double>& kib)
-{
-  BenchRow row = rows.Make("wavelet", Point);
-  SetTimes(row, times);
-  row.Counts["cells"] = cells;
-  if (!kib.empty())
-  {
-    row.Counts["kib"] = *std::max_element(kib.begin(), kib.end());
-  }
-  return row;
-}
-
-BenchResults Join(const std::vector<BenchResults>& runs, const std::vector<BenchRow>& growth)
+BenchResults Join(const std::vector<BenchResults>& runs)
 {
   BenchResults all = runs.front();
   all.Rows.clear();
@@ -103,14 +83,9 @@ BenchResults Join(const std::vector<BenchResults>& runs, const std::vector<Bench
       SetRatio(row, "efficiency", GetOfOne(all.Rows, row, "processor_seconds"),
         row.Counts.at("processor_seconds"));
     }
-    else if (row.Method == Strong)
+    else
     {
       SetRatio(row, "share", row.Counts.value("kib", 0.0), GetOfOne(all.Rows, row, "kib"));
-    }
-    else if (const auto need = growth::ComputeVolumeOfStep(row.Counts.at("cells"), growth))
-    {
-      row.Counts["computed_seconds"] = need->Seconds;
-      row.Counts["computed_kib"] = need->InputKib + need->Kib;
     }
   }
   std::stable_sort(all.Rows.begin(), all.Rows.end(),

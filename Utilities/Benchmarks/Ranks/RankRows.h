@@ -23,18 +23,11 @@ BenchRow MakeWeakRow(const BenchRows& rows, const std::string& theCase, const Ti
 BenchRow MakeMemoryRow(
   const BenchRows& rows, const std::string& theCase, int ranks, const std::vector<double>& kib);
 
-/// One step of what the suite growth computes for a cluster: counts `cells` of a rank,
-/// `processor_seconds` of the mean one, and `kib` of the one that takes most, its input in it.
-BenchRow MakePointRow(
-  const BenchRows& rows, double cells, const Times& times, const std::vector<double>& kib);
-
 /**
- * Puts together what runs of several numbers of processes have written: adds `efficiency`, the mean
- * processor time of one process over that of each, and `share`, the memory over that of one; and,
- * where \a growth has the rows of the suite growth, `computed_seconds` and `computed_kib` of a
- * point.
+ * Combines the rows of runs with several numbers of processes: adds `efficiency`, the mean processor
+ * time of one process over that of each, and `share`, the memory over that of one process.
  */
-BenchResults Join(const std::vector<BenchResults>& runs, const std::vector<BenchRow>& growth);
+BenchResults Join(const std::vector<BenchResults>& runs);
 }
 
 #endif

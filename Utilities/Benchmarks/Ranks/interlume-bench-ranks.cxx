@@ -38,13 +38,6 @@ void Measure(vtkMultiProcessController* controller, const BenchOptions& options,
     }
   };
   // Memory first, while none was given back by anything else.
-  const int points = options.Pick(257, 65, 17);
-  const auto step = ranks::MakeWaveletVolume(points);
-  const std::vector<double> stepKib = ranks::MeasureMemory(controller, step);
-  const ranks::Times stepTimes =
-    ranks::MeasureTimes(controller, step, repeats, []() { return 0.0; });
-  add([&]()
-    { return ranks::MakePointRow(rows, std::pow(points - 1, 3) / ranks, stepTimes, stepKib); });
   const std::vector<double> flowKib =
     ranks::MeasureMemory(controller, ranks::MakeFlow(options.Pick(201, 61, 17), 1, 8));
   add([&]() { return ranks::MakeMemoryRow(rows, "flow", ranks, flowKib); });
@@ -67,17 +60,14 @@ void Measure(vtkMultiProcessController* controller, const BenchOptions& options,
   add([&]() { return ranks::MakeWeakRow(rows, "flow", flowTimes); });
 }
 
-void JoinFiles(
-  const std::vector<std::string>& from, const std::string& growth, const std::string& json)
+void JoinFiles(const std::vector<std::string>& from, const std::string& json)
 {
   std::vector<BenchResults> runs;
   for (const std::string& path : from)
   {
     runs.push_back(BenchResults::Read(path));
   }
-  ranks::Join(
-    runs, growth.empty() ? std::vector<BenchRow>() : BenchResults::Read(growth).RowsOf("growth"))
-    .Write(json);
+  ranks::Join(runs).Write(json);
 }
 }
 
@@ -90,30 +80,23 @@ int main(int argc, char* argv[])
   bool isQuick = false;
   bool isTiny = false;
   std::string json;
-  std::string growth;
   std::vector<std::string> from;
   CLI::App app("Measures extraction and implicit flow by the processes that mpiexec starts.");
   app.add_flag("--quick", isQuick, "Smaller cases and fewer repetitions");
   app.add_flag("--tiny", isTiny, "The smallest cases, for tests");
   auto* file = app.add_option("--json", json, "Write the rows to this file");
-  auto* files = app
-                  .add_option("--from", from,
-                    "Put together what runs of several numbers of processes have written, instead "
-                    "of measuring")
-                  ->check(CLI::ExistingFile)
-                  ->needs(file);
   app
-    .add_option("--growth", growth,
-      "The rows of the suite growth, from which what one point takes is computed")
+    .add_option("--from", from,
+      "Put together what runs of several numbers of processes have written, instead of measuring")
     ->check(CLI::ExistingFile)
-    ->needs(files);
+    ->needs(file);
   int status = 0;
   try
   {
     app.parse(argc, argv);
     if (!from.empty())
     {
-      JoinFiles(from, growth, json);
+      JoinFiles(from, json);
     }
     else
     {

@@ -186,18 +186,6 @@ std::optional<double> OverFurtherLight(const BenchRow& row)
   const double further = row.Parameter.get<double>() - 1.0;
   return 1.0 + (row.Counts["over_one_light"].get<double>() - 1.0) / further;
 }
-
-/// Bytes of light buffers over those of a square one of one float for each light.
-std::optional<double> OverOneBuffer(const BenchRow& row)
-{
-  if (row.Method != On || row.Peer != Off)
-  {
-    return std::nullopt;
-  }
-  const double size = row.Counts["light_buffer_size"].get<double>();
-  const double lights = row.Counts["shadowed_lights"].get<double>();
-  return row.Counts["light_buffer_bytes"].get<double>() / (lights * sizeof(float) * size * size);
-}
 }
 
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
@@ -224,7 +212,6 @@ std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
       "bonsai: each further light takes at most 1.3 times", 1.3, rows, OverFurtherLight),
     BenchClaim::AtMost("no light with shadows: at most 1.05 times the time without lights", 1.05,
       rows, overNoLights),
-    BenchClaim::AtMost("one buffer of floats for each light, bytes", 1.0, rows, OverOneBuffer),
   };
 }
 
