@@ -1,30 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pages/HtmlText.h"
 
+#include <map>
+
 namespace html
 {
 std::string Escaped(const std::string& text)
 {
+  static const std::map<char, const char*> entities = { { '&', "&amp;" }, { '<', "&lt;" },
+    { '>', "&gt;" }, { '"', "&quot;" } };
   std::string escaped;
   for (const char letter : text)
   {
-    switch (letter)
-    {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += letter;
-    }
+    const auto found = entities.find(letter);
+    escaped += found == entities.end() ? std::string(1, letter) : found->second;
   }
   return escaped;
 }

@@ -43,18 +43,23 @@ std::string InShort(double value)
   return text.str();
 }
 
+/// The fields that are text, by their names in JSON.
+const std::pair<const char*, std::string StabilityCase::*> Texts[] = { { "class",
+                                                                         &StabilityCase::Class },
+  { "name", &StabilityCase::Name }, { "extreme", &StabilityCase::Extreme },
+  { "expected", &StabilityCase::Expected }, { "measured", &StabilityCase::Measured },
+  { "method", &StabilityCase::Method }, { "test", &StabilityCase::Test } };
+
 nlohmann::json ToJson(const StabilityCase& oneCase)
 {
-  nlohmann::json json = { { "class", oneCase.Class }, { "name", oneCase.Name },
-    { "extreme", oneCase.Extreme }, { "expected", oneCase.Expected },
-    { "measured", oneCase.Measured }, { "passed", oneCase.Passed }, { "test", oneCase.Test } };
+  nlohmann::json json = { { "passed", oneCase.Passed } };
+  for (const auto& [name, text] : Texts)
+  {
+    json[name] = oneCase.*text;
+  }
   if (!std::isnan(oneCase.Bound))
   {
     json["bound"] = oneCase.Bound;
-  }
-  if (!oneCase.Method.empty())
-  {
-    json["method"] = oneCase.Method;
   }
   return json;
 }
@@ -62,15 +67,12 @@ nlohmann::json ToJson(const StabilityCase& oneCase)
 StabilityCase FromJson(const nlohmann::json& json)
 {
   StabilityCase oneCase;
-  oneCase.Class = json.at("class");
-  oneCase.Name = json.at("name");
-  oneCase.Extreme = json.at("extreme");
-  oneCase.Expected = json.at("expected");
-  oneCase.Measured = json.at("measured");
+  for (const auto& [name, text] : Texts)
+  {
+    oneCase.*text = json.at(name);
+  }
   oneCase.Bound = json.value("bound", oneCase.Bound);
   oneCase.Passed = json.at("passed");
-  oneCase.Method = json.value("method", "");
-  oneCase.Test = json.at("test");
   return oneCase;
 }
 
@@ -162,28 +164,15 @@ void StabilityCatalogue::SetClass(const std::string& name)
 bool StabilityCatalogue::Measure(const std::string& name, const std::string& extreme,
   const std::string& expected, double measured, double bound, const std::string& method)
 {
-  StabilityCase oneCase;
-  oneCase.Name = name;
-  oneCase.Extreme = extreme;
-  oneCase.Expected = expected;
-  oneCase.Measured = InShort(measured);
-  oneCase.Bound = bound;
-  oneCase.Passed = std::abs(measured) <= bound;
-  oneCase.Method = method;
-  return this->Report(std::move(oneCase));
+  return this->Report({ this->Class, name, extreme, expected, InShort(measured), bound,
+    std::abs(measured) <= bound, method, this->Test });
 }
 
 bool StabilityCatalogue::Check(const std::string& name, const std::string& extreme,
   const std::string& expected, const std::string& measured, bool passed, const std::string& method)
 {
-  StabilityCase oneCase;
-  oneCase.Name = name;
-  oneCase.Extreme = extreme;
-  oneCase.Expected = expected;
-  oneCase.Measured = measured;
-  oneCase.Passed = passed;
-  oneCase.Method = method;
-  return this->Report(std::move(oneCase));
+  return this->Report({ this->Class, name, extreme, expected, measured,
+    std::numeric_limits<double>::quiet_NaN(), passed, method, this->Test });
 }
 
 bool StabilityCatalogue::Report(StabilityCase oneCase)
@@ -192,8 +181,6 @@ bool StabilityCatalogue::Report(StabilityCase oneCase)
   {
     throw std::logic_error(this->Test + " names no class before its case " + oneCase.Name);
   }
-  oneCase.Test = this->Test;
-  oneCase.Class = this->Class;
   std::cout << (oneCase.Passed ? "pass  " : "FAIL  ") << oneCase.Class << " " << oneCase.Name
             << ": " << oneCase.Extreme << "; expected: " << oneCase.Expected
             << "; measured: " << oneCase.Measured;
