@@ -29,10 +29,10 @@ if (NOT page MATCHES "<p>${asked} questions; the default, ringed, is on the Pare
 endif ()
 foreach (figure IN LISTS figures)
   string(REGEX REPLACE "<figure id=\"([^\"]+)\">" "\\1" name "${figure}")
-  if (NOT EXISTS "${folder}/${name}.png")
-    message(FATAL_ERROR "${PAGE} shows ${name}.png, which is not there")
+  if (NOT EXISTS "${folder}/${name}.svg")
+    message(FATAL_ERROR "${PAGE} shows ${name}.svg, which is not there")
   endif ()
-  string(REGEX MATCH "<figure id=\"${name}\"><h3>[^<]+[?]</h3>\n<p class=\"answer\">(<span class=\"failed\">)?([^<]+)(</span>)?</p>\n<a href=\"${name}.png\"><img [^>]+></a>\n<figcaption>[^<]+[.] Rows: "
+  string(REGEX MATCH "<figure id=\"${name}\"><h3>[^<]+[?]</h3>\n<p class=\"answer\">(<span class=\"failed\">)?([^<]+)(</span>)?</p>\n<a href=\"${name}.svg\"><img [^>]+></a>\n<figcaption>[^<]+[.] Rows: "
     whole "${page}")
   set(answer "${CMAKE_MATCH_2}")
   if (NOT whole)

@@ -1,26 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fronts, defaults and answers of plots that are made up, and what charts show of them.
+// Fronts, defaults and answers of plots that are made up, and what images show of them.
 #include "Benchmarks/Approximations/Approximation.h"
-#include "Benchmarks/Report/BenchChart.h"
-#include "Benchmarks/Report/MarkedLine.h"
-#include "Benchmarks/Report/PlotMarks.h"
+#include "Benchmarks/Report/PlotSvg.h"
 #include "Benchmarks/Results/ErrorFront.h"
-
-#include "vtkAxis.h"
-#include "vtkBrush.h"
-#include "vtkChartLegend.h"
-#include "vtkChartXY.h"
-#include "vtkImageData.h"
-#include "vtkNew.h"
-#include "vtkPen.h"
-#include "vtkPlot.h"
-#include "vtkPlotBar.h"
-#include "vtkTable.h"
 
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -170,185 +158,120 @@ void CheckClocks()
   Expect(ClockOf(nullptr) == Clock::Wall, "no window is no software OpenGL");
 }
 
-/// The plots of a chart with that label, and the points of the last one.
-int CountLabels(vtkChartXY* chart, const std::string& label, vtkIdType& points)
+int Count(const std::string& text, const std::string& part)
 {
   int number = 0;
-  for (vtkIdType i = 0; i < chart->GetNumberOfPlots(); ++i)
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
   {
-    if (chart->GetPlot(i)->GetLabel() == label)
-    {
-      ++number;
-      points = chart->GetPlot(i)->GetInput()->GetNumberOfRows();
-    }
+    ++number;
   }
   return number;
 }
 
-void CheckChart()
+/// Whether no tag begins within another, and each one ends.
+bool IsWellFormed(const std::string& svg)
+{
+  bool isInside = false;
+  for (const char letter : svg)
+  {
+    if ((letter == '<' && isInside) || (letter == '>' && !isInside))
+    {
+      return false;
+    }
+    isInside = letter == '<' || (isInside && letter != '>');
+  }
+  return !isInside && Count(svg, "<text") == Count(svg, "</text>");
+}
+
+void CheckImage()
 {
   BenchPlot plot = MakePlot();
-  vtkNew<vtkChartXY> plain;
-  FillChart(plain, plot);
-  vtkIdType points = 0;
-  Expect(CountLabels(plain, "default", points) == 0, "a ring around nothing");
-  Expect(CountLabels(plain, "Pareto front", points) == 1 && points == 7,
-    "the front is stairs of 7 points: " + std::to_string(points));
-  Expect(CountLabels(plain, "peer (peer)", points) == 1, "the peer is called one");
+  const std::string plain = MakeSvg(plot, "machine\nconditions");
+  Expect(Count(plain, "class=\"default\"") == 0, "a ring around nothing");
+  // The path of the stairs has the first point and a step to each of the other three.
+  const std::size_t front = plain.find("class=\"front\"");
+  const std::string path =
+    plain.substr(plain.rfind("<path", front), front - plain.rfind("<path", front));
+  Expect(Count(path, "H") == 3 && Count(path, "V") == 3, "the front is stairs: " + path);
+  Expect(Count(plain, "peer (peer)") == 1, "the peer is called one");
+  Expect(Count(plain, "class=\"mark\"") == 6 + 3, "a mark for each point and in the legend");
+  Expect(Count(plain, ">1e-05<") == 1 && Count(plain, ">10<") == 1, "both axes are logarithmic");
+  Expect(Count(plain, ">machine<") == 1 && Count(plain, ">conditions<") == 1, "the caption");
 
   plot.SetDefault("fine", "8");
-  vtkNew<vtkChartXY> chart;
-  FillChart(chart, plot);
-  // A disc, and a smaller one of the ground's colour on it.
-  Expect(CountLabels(chart, "default", points) == 2, "the default is ringed");
-  Expect(
-    chart->GetAxis(vtkAxis::LEFT)->GetLogScale() && chart->GetAxis(vtkAxis::BOTTOM)->GetLogScale(),
-    "both axes are logarithmic");
-
+  Expect(Count(MakeSvg(plot, ""), "class=\"default\"") == 2, "the default is ringed and named");
+  Expect(IsWellFormed(MakeSvg(plot, "")), "tags are well formed");
   plot.HasFront = false;
-  vtkNew<vtkChartXY> without;
-  FillChart(without, plot);
-  Expect(CountLabels(without, "Pareto front", points) == 0, "a front that was not asked for");
+  Expect(Count(MakeSvg(plot, ""), "class=\"front\"") == 0, "a front that was not asked for");
+  plot.Title = "a < b";
+  Expect(Count(MakeSvg(plot, ""), ">a &lt; b<") == 1, "text is escaped");
+  plot.AddPoint("exact", false, 1.0, 0.0);
+  Expect(Count(MakeSvg(plot, ""), "inf") + Count(MakeSvg(plot, ""), "nan") == 0,
+    "an error of 0 has no place on a logarithmic axis");
 }
 
-/// A plot of as many series as are asked for, which are alike but for their labels.
-BenchPlot MakeManySeries(std::size_t number, BenchPlot::Kinds kind)
+/// Where points are: at the ends and in the middle of logarithmic axes from 1e-1 to 1e1.
+void CheckPlaces()
 {
-  BenchPlot plot = BenchPlot::OfErrors("many", "Many", "run time (s)", "error");
-  plot.Kind = kind;
-  plot.LogX = kind == BenchPlot::LINES;
-  plot.BarLabels = { "case" };
-  for (std::size_t i = 0; i < number; ++i)
-  {
-    plot.AddPoint("series " + std::to_string(i), false, 1.0, 1.0);
-  }
-  return plot;
+  BenchPlot plot = BenchPlot::OfErrors("places", "Places", "x", "y");
+  plot.HasFront = false;
+  plot.AddPoint("line", false, 0.2, 0.2);
+  plot.AddPoint("line", false, 1.0, 1.0);
+  plot.AddPoint("line", false, 5.0, 5.0);
+  const std::string svg = MakeSvg(plot, "");
+  Expect(Count(svg, "translate(480 395)") == 1, "1 is in the middle of both axes");
 }
 
-double GreyOf(const unsigned char* colour)
+double GreyOf(const std::string& color)
 {
-  return 0.299 * colour[0] + 0.587 * colour[1] + 0.114 * colour[2];
+  const int number = std::stoi(color.substr(1), nullptr, 16);
+  return 0.299 * (number >> 16) + 0.587 * (number >> 8 & 255) + 0.114 * (number & 255);
 }
 
-/// Whether each pixel of a mark is inked: what is left of it whatever its colour.
-std::vector<bool> FindInk(vtkImageData* mark)
-{
-  std::vector<bool> ink(static_cast<std::size_t>(mark->GetNumberOfPoints()));
-  const auto* pixel = static_cast<const unsigned char*>(mark->GetScalarPointer());
-  for (std::size_t i = 0; i < ink.size(); ++i, pixel += 4)
-  {
-    ink[i] = pixel[3] > 127 && GreyOf(pixel) < 220.0;
-  }
-  return ink;
-}
-
-/// The share of pixels where one mark is inked and the other is not, of those where either is.
-double CompareInk(const std::vector<bool>& one, const std::vector<bool>& other)
-{
-  int either = 0;
-  int differ = 0;
-  for (std::size_t i = 0; i < one.size(); ++i)
-  {
-    either += one[i] || other[i] ? 1 : 0;
-    differ += one[i] != other[i] ? 1 : 0;
-  }
-  return static_cast<double>(differ) / either;
-}
-
-/// The legend stands where no lines are: of lines that rise not at the top right, of lines that end
-/// in two corners in a third.
-void CheckLegend()
-{
-  BenchPlot plot;
-  plot.LogX = plot.LogY = true;
-  const auto stands = [&plot](int horizontal, int vertical)
-  {
-    vtkNew<vtkChartXY> chart;
-    FillChart(chart, plot);
-    return chart->GetLegend()->GetHorizontalAlignment() == horizontal &&
-      chart->GetLegend()->GetVerticalAlignment() == vertical;
-  };
-  plot.AddPoint("fall", false, 1.5, 800.0);
-  plot.AddPoint("fall", false, 800.0, 1.5);
-  Expect(stands(vtkChartLegend::RIGHT, vtkChartLegend::TOP), "above lines that fall");
-  plot.AddPoint("rise", false, 1.5, 1.5);
-  plot.AddPoint("rise", false, 800.0, 800.0);
-  plot.AddPoint("again", false, 800.0, 800.0);
-  plot.AddPoint("again", false, 800.0, 1.5);
-  Expect(stands(vtkChartLegend::LEFT, vtkChartLegend::TOP), "beside lines on the right");
-  plot.AllSeries.erase(plot.AllSeries.begin());
-  plot.AllSeries.pop_back();
-  Expect(stands(vtkChartLegend::RIGHT, vtkChartLegend::BOTTOM), "below lines that rise");
-}
-
-/// Series are told apart without colours: lines by their marks' shapes, bars by their greys.
+/// Series are told apart without colors: lines by their marks, bars by their greys.
 void CheckGreys()
 {
-  vtkNew<vtkChartXY> chart;
-  FillChart(chart, MakeManySeries(NumberOfMarks, BenchPlot::LINES));
-  std::vector<std::vector<bool>> inks;
-  for (vtkIdType i = 0; i < chart->GetNumberOfPlots(); ++i)
+  std::set<std::string> marks;
+  for (std::size_t i = 0; i < NumberOfMarks; ++i)
   {
-    if (auto* line = MarkedLine::SafeDownCast(chart->GetPlot(i)))
-    {
-      inks.push_back(FindInk(line->GetMark()));
-    }
+    marks.insert(MarkOf(i));
   }
-  Expect(inks.size() == NumberOfMarks && inks.size() >= 12, "each series is a line with marks");
-  for (std::size_t i = 0; i < inks.size(); ++i)
-  {
-    for (std::size_t j = 0; j < i; ++j)
-    {
-      const double share = CompareInk(inks[i], inks[j]);
-      Expect(share > 0.25,
-        "marks " + std::to_string(j) + " and " + std::to_string(i) + " differ in " +
-          std::to_string(share) + " of their ink");
-    }
-  }
-
+  Expect(marks.size() == NumberOfMarks && NumberOfMarks >= 12, "marks differ");
   constexpr std::size_t most = 5;
-  vtkNew<vtkChartXY> bars;
-  FillChart(bars, MakeManySeries(most, BenchPlot::BARS));
-  std::vector<double> greys;
-  for (vtkIdType i = 0; i < bars->GetNumberOfPlots(); ++i)
-  {
-    if (auto* bar = vtkPlotBar::SafeDownCast(bars->GetPlot(i)))
-    {
-      unsigned char colour[4];
-      bar->GetBrush()->GetColor(colour);
-      greys.push_back(GreyOf(colour));
-    }
-  }
-  Expect(greys.size() == most, "each series has bars");
-  for (std::size_t i = 0; i < greys.size(); ++i)
+  for (std::size_t i = 0; i < most; ++i)
   {
     for (std::size_t j = 0; j < i; ++j)
     {
-      Expect(std::abs(greys[i] - greys[j]) > 30.0,
-        "bars " + std::to_string(j) + " and " + std::to_string(i) + " are greys of " +
-          std::to_string(greys[j]) + " and " + std::to_string(greys[i]));
+      Expect(std::abs(GreyOf(ColorOf(i)) - GreyOf(ColorOf(j))) > 30.0,
+        "bars " + std::to_string(j) + " and " + std::to_string(i) + " have alike greys");
     }
   }
+}
+
+void CheckBars()
+{
+  BenchPlot plot;
+  plot.Kind = BenchPlot::BARS;
+  plot.BarLabels = { "first", "second" };
+  plot.Reference = 1.0;
+  plot.AddPoint("1 thread", false, 0.0, 2.0);
+  plot.AddPoint("1 thread", false, 1.0, 1.0);
+  const std::string svg = MakeSvg(plot, "");
+  Expect(IsWellFormed(svg), "tags are well formed");
+  Expect(Count(svg, "class=\"bar\"") == 2 + 1, "a bar for each case and in the legend");
+  Expect(Count(svg, ">first<") == 1 && Count(svg, ">second<") == 1, "bars have labels");
 }
 
 /// Peers, and what nobody can choose, are told from what is ours by their lines.
 void CheckDashes()
 {
-  BenchPlot plot = MakeManySeries(3, BenchPlot::LINES);
-  plot.AllSeries[1].IsPeer = true;
-  plot.SetNoChoice("series 2");
-  vtkNew<vtkChartXY> chart;
-  FillChart(chart, plot);
-  std::vector<int> dashes;
-  for (vtkIdType i = 0; i < chart->GetNumberOfPlots(); ++i)
-  {
-    if (auto* line = MarkedLine::SafeDownCast(chart->GetPlot(i)))
-    {
-      dashes.push_back(line->GetPen()->GetLineType());
-    }
-  }
-  Expect(dashes == std::vector<int>{ vtkPen::SOLID_LINE, vtkPen::DASH_LINE, vtkPen::DASH_DOT_LINE },
-    "lines of ours, a peer and what is no choice");
+  BenchPlot plot = MakePlot();
+  plot.SetNoChoice("coarse");
+  const std::string svg = MakeSvg(plot, "");
+  Expect(Count(svg, "class=\"line\"") == 2 &&
+      Count(svg, "class=\"line peer\" stroke-dasharray") == 2 &&
+      Count(svg, "class=\"line no-choice\" stroke-dasharray") == 2,
+    "lines of ours, a peer and what is no choice, each with one in the legend");
 }
 }
 
@@ -358,9 +281,10 @@ int main()
   CheckAnswers();
   CheckRows();
   CheckClocks();
-  CheckChart();
-  CheckLegend();
+  CheckImage();
+  CheckPlaces();
   CheckGreys();
+  CheckBars();
   CheckDashes();
   return Right ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -90,8 +90,7 @@ void CheckMethods(const nlohmann::json& rows)
         "software, level of detail" } },
     { "interval4d",
       { "warm", "threads-2 threads-1", "cold warm", "later-slabs", "memory", "throughput",
-        "hexahedra", "tetrahedra-5", "slice interpolate", "interpolate", "sampled", "slice",
-        "slice-again interpolate" } },
+        "slice interpolate", "interpolate", "sampled", "slice", "slice-again interpolate" } },
     // Rows against gpu-shadows need VTK 9.2.
     { "shadows",
       { "shadows shadows-off", "shadows, both sides shadows-off", "shadows-off gpu",
@@ -124,8 +123,7 @@ void CheckMethods(const nlohmann::json& rows)
         "three channels", "one channel", "float", "unsigned char", "5 steps, in time",
         "5 steps, on each other", "paint filtered", "paint looked up once", "lines",
         "averaged levels, lines" } },
-    { "growth",
-      { "growth", "growth without", "time exponent", "memory exponent" } },
+    { "growth", { "growth", "growth without", "time exponent", "memory exponent" } },
   };
   std::map<std::string, std::set<std::string>> seen;
   for (const auto& row : rows)

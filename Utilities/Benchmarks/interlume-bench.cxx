@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Measures Interlume against VTK's own filters; see --help.
 #include "Benchmarks/Measures/BenchTiming.h"
-#include "Benchmarks/Report/PlotDrawer.h"
+#include "Benchmarks/Report/PlotSvg.h"
 #include "Benchmarks/Report/ReportPage.h"
 #include "Benchmarks/Results/BenchMachine.h"
 #include "Benchmarks/Results/BenchResults.h"
-#include "Benchmarks/Suites/BenchSuites.h"
+#include "Benchmarks/Suites/BenchSuite.h"
 #include "Pages/StabilityCase.h"
 
 #include "vtkSMPTools.h"
@@ -23,7 +23,7 @@
 
 namespace
 {
-using Suites = std::vector<std::unique_ptr<BenchSuite>>;
+using Suites = std::vector<BenchSuite>;
 
 /// What the command line says, beyond the options of every suite.
 struct Arguments
@@ -90,7 +90,7 @@ void Run(const BenchSuite& suite, const Arguments& arguments, BenchResults& resu
 {
   if (arguments.From.empty())
   {
-    BenchRows rows(suite.GetName());
+    BenchRows rows(suite.Name);
     const BenchSeconds took = TimeOnce(
       [&]()
       {
@@ -98,19 +98,19 @@ void Run(const BenchSuite& suite, const Arguments& arguments, BenchResults& resu
         return vtkSmartPointer<vtkObjectBase>();
       });
     results.Rows.insert(results.Rows.end(), rows.Get().begin(), rows.Get().end());
-    results.Suites[suite.GetName()]["took"] = std::round(took);
+    results.Suites[suite.Name]["took"] = std::round(took);
   }
-  const std::vector<BenchRow> rows = results.RowsOf(suite.GetName());
+  const std::vector<BenchRow> rows = results.RowsOf(suite.Name);
   if (arguments.From.empty() || !rows.empty())
   {
-    results.SetClaims(suite.GetName(), suite.CheckClaims(rows));
+    results.SetClaims(suite.Name, suite.CheckClaims(rows));
   }
 }
 
 const BenchSuite& Find(const Suites& suites, const std::string& name)
 {
-  return **std::find_if(
-    suites.begin(), suites.end(), [&name](const auto& suite) { return suite->GetName() == name; });
+  return *std::find_if(
+    suites.begin(), suites.end(), [&name](const BenchSuite& suite) { return suite.Name == name; });
 }
 
 /// What stands under every plot.
@@ -125,18 +125,18 @@ void WriteReport(const Suites& suites, const Arguments& arguments)
   // First, since it fails where there are none, and the suites take long.
   const std::vector<StabilityCase> cases = StabilityCatalogue::Gather(arguments.Stability);
   BenchResults results = Start(arguments);
-  const PlotDrawer drawer(arguments.Out, CaptionOf(results));
-  for (const auto& suite : suites)
+  for (const BenchSuite& suite : suites)
   {
-    Run(*suite, arguments, results);
+    Run(suite, arguments, results);
   }
   const std::filesystem::path folder = arguments.Out;
+  std::filesystem::create_directories(folder);
   results.Write((folder / "rows.json").string());
   ReportPage page(results);
-  for (const auto& suite : suites)
+  for (const BenchSuite& suite : suites)
   {
-    const auto plots = drawer.Draw(suite->MakePlots(results.RowsOf(suite->GetName())));
-    page.AddSuite(*suite, plots);
+    page.AddSuite(suite,
+      WritePlots(suite.MakePlots(results.RowsOf(suite.Name)), arguments.Out, CaptionOf(results)));
   }
   if (!arguments.Costs.empty())
   {
@@ -151,11 +151,6 @@ void WriteReport(const Suites& suites, const Arguments& arguments)
 void RunSuites(const Suites& suites, const Arguments& arguments)
 {
   BenchResults results = Start(arguments);
-  std::unique_ptr<PlotDrawer> drawer;
-  if (!arguments.Plots.empty())
-  {
-    drawer = std::make_unique<PlotDrawer>(arguments.Plots, CaptionOf(results));
-  }
   for (const std::string& name : arguments.Suites)
   {
     const BenchSuite& suite = Find(suites, name);
@@ -164,9 +159,9 @@ void RunSuites(const Suites& suites, const Arguments& arguments)
       throw std::runtime_error(arguments.From + " has no rows of " + name);
     }
     Run(suite, arguments, results);
-    if (drawer)
+    if (!arguments.Plots.empty())
     {
-      drawer->Draw(suite.MakePlots(results.RowsOf(name)));
+      WritePlots(suite.MakePlots(results.RowsOf(name)), arguments.Plots, CaptionOf(results));
     }
   }
   if (!arguments.Json.empty())
@@ -179,9 +174,9 @@ int Execute(const Suites& suites, const CLI::App& app, const Arguments& argument
 {
   if (arguments.List)
   {
-    for (const auto& suite : suites)
+    for (const BenchSuite& suite : suites)
     {
-      std::cout << suite->GetName() << "\t" << suite->GetTitle() << "\n";
+      std::cout << suite.Name << "\t" << suite.Title << "\n";
     }
   }
   else if (!arguments.Task.empty() && arguments.Suites.size() == 1)
@@ -210,9 +205,9 @@ int main(int argc, char* argv[])
 {
   const Suites suites = MakeAllSuites();
   std::vector<std::string> names;
-  for (const auto& suite : suites)
+  for (const BenchSuite& suite : suites)
   {
-    names.push_back(suite->GetName());
+    names.push_back(suite.Name);
   }
   Arguments arguments;
   arguments.Options.Threads = vtkSMPTools::GetEstimatedNumberOfThreads();

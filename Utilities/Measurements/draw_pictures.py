@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""draw_pictures.py PROGRAM: draws the plots of Documentation/measurements.md anew, pictures/measured-*.png.
+"""draw_pictures.py PROGRAM: draws the plots of Documentation/measurements.md anew, pictures/measured-*.svg.
 
 PROGRAM is interlume-bench, which draws them of the rows in Documentation/measurements/vtk-*/SUITE.json: of the newest
-VTK that the suite was run with. It needs a display.
+VTK that the suite was run with.
 """
 
 import argparse
@@ -16,7 +16,7 @@ from pathlib import Path
 
 from results import Results
 
-PICTURE = re.compile(r"\(pictures/measured-([\w-]+)\.png\)")
+PICTURE = re.compile(r"\(pictures/measured-([\w-]+)\.svg\)")
 
 
 def main():
@@ -34,7 +34,7 @@ def main():
             continue
         with tempfile.TemporaryDirectory() as folder:
             subprocess.run([program, suite, "--from", run.path, "--plots", folder], check=True)
-            for plot in Path(folder).glob("*.png"):
+            for plot in Path(folder).glob("*.svg"):
                 if plot.stem in wanted:
                     shutil.copyfile(plot, documentation / "pictures" / f"measured-{plot.name}")
                     wanted.remove(plot.stem)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Approximations/Approximation.h"
 
-#include "Benchmarks/Measures/ProcessorClock.h"
+#include "Benchmarks/Approximations/FamilySuite.h"
+
 #include "Benchmarks/Results/ErrorFront.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -50,10 +51,9 @@ void Trials::Add(const std::string& method, const std::string& setting, Maker ma
 void Trials::Run(
   const Question& question, const BenchOptions& options, BenchRows& rows, Clock clock) const
 {
-  std::vector<ProcessorClock> processor(this->All.size());
   std::vector<BenchWork> works;
-  std::transform(this->All.begin(), this->All.end(), processor.begin(), std::back_inserter(works),
-    [](const Trial& trial, ProcessorClock& watch) { return watch.Watch(trial.Work); });
+  std::transform(this->All.begin(), this->All.end(), std::back_inserter(works),
+    [](const Trial& trial) { return trial.Work; });
   const std::vector<BenchSeconds> seconds = MeasureAlternately(works, options.GetRepeats());
   for (std::size_t i = 0; i < this->All.size(); ++i)
   {
@@ -64,12 +64,11 @@ void Trials::Run(
       row.Parameter = trial.Setting;
     }
     row.Seconds = seconds[i];
-    row.Error = trial.Measure();
-    row.ErrorNorm = question.ErrorNorm;
+    row.SetError(question.ErrorNorm, trial.Measure());
     row.Counts = this->Sizes;
     if (clock == Clock::Processor)
     {
-      row.Counts[ProcessorSeconds] = processor[i].Take().Value;
+      row.Counts[ProcessorSeconds] = seconds[i].Processor;
     }
     if (trial.By != Maker::Own)
     {
@@ -81,10 +80,8 @@ void Trials::Run(
 
 BenchPlot MakePlot(const Question& question, const std::vector<BenchRow>& rows)
 {
-  BenchPlot plot = BenchPlot::OfErrors(
-    question.Name, question.Title, question.TimeLabel, "error: " + question.ErrorNorm);
-  plot.Question = question.Text;
-  plot.Conditions = question.Conditions;
+  BenchPlot plot = BenchPlot::OfErrors(question.Name, question.Title, question.TimeLabel,
+    "error: " + question.ErrorNorm, question.Text, question.Conditions);
   bool isWatched = false;
   for (const BenchRow& row : rows)
   {
@@ -127,6 +124,28 @@ BenchClaim CheckDefaults(const std::vector<Family>& families, const std::vector<
     }
   }
   return claim;
+}
+
+BenchSuite MakeFamilySuite(const std::string& name, const std::string& title,
+  const std::string& description, const std::vector<Family>& families)
+{
+  BenchSuite suite = { name, title,
+    { description,
+      "default 1 in the counts: what is done where nobody asks for anything, and where the size is "
+      "that of the data its finest; peer 1: by VTK. The other counts are sizes." },
+    {} };
+  for (const Family& family : families)
+  {
+    suite.Parts.push_back({ [family](const BenchOptions& options, BenchRows& rows)
+      { family.AddRows(family.Asked, options, rows); },
+      [family](const std::vector<BenchRow>& rows)
+      { return std::vector<BenchPlot>{ MakePlot(family.Asked, rows) }; },
+      nullptr });
+  }
+  suite.Parts.push_back({ nullptr, nullptr, [families](const std::vector<BenchRow>& rows) {
+                           return std::vector<BenchClaim>{ CheckDefaults(families, rows) };
+                         } });
+  return suite;
 }
 
 std::string NumberText(double number)

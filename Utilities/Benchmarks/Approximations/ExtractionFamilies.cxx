@@ -171,13 +171,7 @@ void AddTableRouteRows(const Question& question, const BenchOptions& options, Be
       filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
       trials.Add(pieces == 0 ? "hexahedra" : "tetrahedra-" + NumberText(pieces), NumberText(points),
         pieces == 0 && points == sizes.back() ? Maker::Default : Maker::Own,
-        WithThreads(1,
-          [filter, one]()
-          {
-            filter->Modified();
-            filter->Update();
-            return vtkSmartPointer<vtkObjectBase>(filter);
-          }),
+        WithThreads(1, Again(filter)),
         [filter, exact]() { return std::abs(MeasureInTime(filter->GetOutput()) - exact) / exact; });
     }
   }
@@ -187,14 +181,12 @@ void AddTableRouteRows(const Question& question, const BenchOptions& options, Be
 
 Family MakeContourFamily()
 {
-  return {
-    { "contour-error", "Contours: error against run time as the grid gets finer, 1 thread",
-      "How far is a contour from the surface, by which filter?",
-      "A contour of the gyroid, points along an edge of the grid at each point; distances of "
-      "triangles from the formula's own surface, integrated over their area.",
-      TimeLabel, "distance from the surface, rms, share of the domain's edge" },
-    AddContourRows
-  };
+  return { { "contour-error", "Contours: error against run time as the grid gets finer, 1 thread",
+             "How far is a contour from the surface, by which filter?",
+             "A contour of the gyroid, points along an edge of the grid at each point; distances "
+             "of triangles from the formula's own surface, integrated over their area.",
+             TimeLabel, "distance from the surface, rms, share of the domain's edge" },
+    AddContourRows };
 }
 
 Family MakeTableRouteFamily()

@@ -34,19 +34,6 @@ using Vector = std::array<double, 3>;
 
 const char* const TimeLabel = "run time (s)";
 
-/// Executes a filter again, by one thread, with what is upstream as it is.
-template <typename Filter>
-BenchWork AgainBy(const vtkSmartPointer<Filter>& filter)
-{
-  return WithThreads(1,
-    [filter]()
-    {
-      filter->Modified();
-      filter->Update();
-      return vtkSmartPointer<vtkObjectBase>(filter);
-    });
-}
-
 /// A velocity on points^3 points of the cube from -1 to 1.
 vtkSmartPointer<vtkImageData> SampleFlow(
   int points, const std::function<Vector(const Vector&)>& velocity)
@@ -138,13 +125,14 @@ void AddCriticalPointRows(const Question& question, const BenchOptions& options,
     auto own = vtkSmartPointer<vtkFlowCriticalPoints>::New();
     own->SetInputData(image);
     trials.Add("vtkFlowCriticalPoints", NumberText(points),
-      points == sizes.back() ? Maker::Default : Maker::Own, AgainBy(own),
+      points == sizes.back() ? Maker::Default : Maker::Own, WithThreads(1, Again(own)),
       [own]() { return MeasureZeros(own->GetOutput()); });
     auto peer = vtkSmartPointer<vtkVectorFieldTopology>::New();
     peer->SetInputData(image);
     // Separatrices are not asked for here, and cannot be switched off.
     peer->SetMaxNumSteps(1);
-    trials.Add("vtkVectorFieldTopology", NumberText(points), Maker::Peer, AgainBy(peer),
+    trials.Add("vtkVectorFieldTopology", NumberText(points), Maker::Peer,
+      WithThreads(1, Again(peer)),
       [peer]() { return MeasureZeros(vtkPolyData::SafeDownCast(peer->GetOutputDataObject(0))); });
   }
   trials.Run(question, options, rows);
@@ -212,8 +200,8 @@ void AddVortexAxisRows(const Question& question, const BenchOptions& options, Be
       filter->SetInputData(image);
       filter->SetNumberOfPlanes(planes);
       trials.Add(planes == 0 ? "a plane for each layer" : "five planes", NumberText(points),
-        planes == 0 && points == sizes.back() ? Maker::Default : Maker::Own, AgainBy(filter),
-        [filter]() { return MeasureAxis(filter->GetOutput()); });
+        planes == 0 && points == sizes.back() ? Maker::Default : Maker::Own,
+        WithThreads(1, Again(filter)), [filter]() { return MeasureAxis(filter->GetOutput()); });
     }
   }
   trials.Run(question, options, rows);
@@ -302,7 +290,7 @@ void AddStreamSurfaceRows(const Question& question, const BenchOptions& options,
     surfaces.push_back(std::make_unique<RoundSurface>(flow, resolution));
     const auto filter = surfaces.back()->Parameters;
     trials.Add("vtkStreamSurfaceParameters", NumberText(resolution),
-      resolution == usual ? Maker::Default : Maker::Own, AgainBy(filter),
+      resolution == usual ? Maker::Default : Maker::Own, WithThreads(1, Again(filter)),
       [filter]() { return MeasureArcs(filter->GetOutput()); });
   }
   trials.Run(question, options, rows);
@@ -331,12 +319,13 @@ Family MakeVortexAxisFamily()
 
 Family MakeStreamSurfaceFamily()
 {
-  return { { "stream-surface-resolution",
-             "Parameters of stream surfaces: error against run time, 1 thread",
-             "How fine is the grid to be by which inflow contours are followed?",
-             "A stream surface through a circle, Resolution at each point; s against the circle's "
-             "arc.",
-             TimeLabel, "mean difference of s, share of the contour's length" },
-    AddStreamSurfaceRows };
+  return {
+    { "stream-surface-resolution",
+      "Parameters of stream surfaces: error against run time, 1 thread",
+      "How fine is the grid to be by which inflow contours are followed?",
+      "A stream surface through a circle, Resolution at each point; s against the circle's arc.",
+      TimeLabel, "mean difference of s, share of the contour's length" },
+    AddStreamSurfaceRows
+  };
 }
 }

@@ -154,30 +154,26 @@ void AddSampleRows(const Question& question, const BenchOptions& options, BenchR
 
 Family MakeFlowVoxelFamily()
 {
-  return {
-    { "flow-texture-voxels", "Voxels of a painted flow: error against time of a frame",
-      "How many voxels for a painted flow, and is its paint to be filtered?",
-      "A bent flow painted with stripes and spots, voxels along an edge at each point, drawn "
-      "by vtkImplicitFlowVolumeMapper; against the formula's own picture, nine lines of "
-      "sight a pixel.",
-      FrameLabel, Norm },
-    AddVoxelRows
-  };
+  return { { "flow-texture-voxels", "Voxels of a painted flow: error against time of a frame",
+             "How many voxels for a painted flow, and is its paint to be filtered?",
+             "A bent flow painted with stripes and spots, voxels along an edge at each point, "
+             "drawn by vtkImplicitFlowVolumeMapper; against the formula's own picture, nine lines "
+             "of sight a pixel.",
+             FrameLabel, Norm },
+    AddVoxelRows };
 }
 
 Family MakeFlowSampleFamily()
 {
-  return {
-    { "flow-texture-samples", "Samples of a painted flow: error against time of a frame",
-      "How far apart are samples of a painted flow, and how many places of paint has each?",
-      "A bent flow painted with stripes and spots, drawn by vtkImplicitFlowVolumeMapper; "
-      "SampleDistance in voxels, or MaximumPaintSamples, at each point (default " +
-        NumberText(DefaultPaintSamples) +
-        ": no sample of a picture as fine as its paint has as many, and there a smaller number "
-        "spares no more than runs differ by); against the formula's own picture, nine lines of "
-        "sight a pixel.",
-      FrameLabel, Norm },
-    AddSampleRows
-  };
+  return { { "flow-texture-samples", "Samples of a painted flow: error against time of a frame",
+             "How far apart are samples of a painted flow, and how many places of paint has each?",
+             "A bent flow painted with stripes and spots, drawn by vtkImplicitFlowVolumeMapper; "
+             "SampleDistance in voxels, or MaximumPaintSamples, at each point (default " +
+               NumberText(DefaultPaintSamples) +
+               ": no sample of a picture as fine as its paint has as many, and there a smaller "
+               "number spares no more than runs differ by); against the formula's own picture, "
+               "nine lines of sight a pixel.",
+             FrameLabel, Norm },
+    AddSampleRows };
 }
 }

@@ -97,17 +97,6 @@ vtkSmartPointer<vtkFlowLIC> NewFilter(
   return filter;
 }
 
-BenchWork AgainBy(const vtkSmartPointer<vtkFlowLIC>& filter)
-{
-  return WithThreads(1,
-    [filter]()
-    {
-      filter->Modified();
-      filter->Update();
-      return vtkSmartPointer<vtkObjectBase>(filter);
-    });
-}
-
 vtkDataArray* ValuesOf(vtkFlowLIC* filter)
 {
   return vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetPointData()->GetArray("LIC");
@@ -181,7 +170,7 @@ void AddStepRows(const Question& question, const BenchOptions& options, BenchRow
       auto filter = NewFilter(field, places, kernel, DefaultLength, step);
       trials.Add(NameOf(kernel), NumberText(step),
         kernel == vtkFlowLIC::HANN && step == DefaultStep ? Maker::Default : Maker::Own,
-        AgainBy(filter), [filter, means]() { return MeasureMeans(filter, *means); });
+        WithThreads(1, Again(filter)), [filter, means]() { return MeasureMeans(filter, *means); });
     }
   }
   trials.Run(question, options, rows);
@@ -219,7 +208,7 @@ void AddLengthRows(const Question& question, const BenchOptions& options, BenchR
       auto filter = NewFilter(field, pairs, kernel, length, DefaultStep);
       trials.Add(NameOf(kernel), NumberText(length),
         kernel == vtkFlowLIC::HANN && length == DefaultLength ? Maker::Default : Maker::Own,
-        AgainBy(filter), [filter]() { return MeasurePairs(filter); });
+        WithThreads(1, Again(filter)), [filter]() { return MeasurePairs(filter); });
     }
   }
   trials.Run(question, options, rows);
@@ -241,8 +230,7 @@ Family MakeLicLengthFamily()
   return { { "lic-length", "Length and kernel of line integral convolution, 1 thread",
              "How far along streamlines, and with which kernel, for line integral convolution?",
              "A rotation, lengths in noise scales at each point; values are to be alike along a "
-             "streamline: the difference between places on a circle that are a noise scale "
-             "apart.",
+             "streamline: the difference between places on a circle that are a noise scale apart.",
              TimeLabel, "difference along a streamline, rms, in standard deviations" },
     AddLengthRows };
 }

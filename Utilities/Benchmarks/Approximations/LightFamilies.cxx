@@ -236,14 +236,12 @@ void AddScalarTypeRows(const Question& question, const BenchOptions& options, Be
 
 Family MakeLightLookupFamily()
 {
-  return {
-    { "light-lookup", "Looking light up in its buffer: error against time of a frame",
-      "Is light to be looked up in one texel of its buffer or in four?",
-      "Rings under one light, all matter scattering evenly, columns of the light's buffer at "
-      "each point; against a ray marcher with shadow rays in double precision.",
-      FrameLabel, Norm },
-    AddLookupRows
-  };
+  return { { "light-lookup", "Looking light up in its buffer: error against time of a frame",
+             "Is light to be looked up in one texel of its buffer or in four?",
+             "Rings under one light, all matter scattering evenly, columns of the light's buffer "
+             "at each point; against a ray marcher with shadow rays in double precision.",
+             FrameLabel, Norm },
+    AddLookupRows };
 }
 
 Family MakeImageSampleFamily()
@@ -259,27 +257,24 @@ Family MakeImageSampleFamily()
 
 Family MakeTransmissionFamily()
 {
-  return {
-    { "coloured-transmission", "Light through coloured matter: error against time of a frame",
-      "What do light's colours cost, and what is lost without them?",
-      "Smoke that lets red pass better than blue, distance of slices over the default one at "
-      "each point; light of three channels or of one, as without TransmissionColor; against "
-      "a ray marcher with shadow rays in double precision.",
-      FrameLabel, Norm },
-    AddTransmissionRows
-  };
+  return { { "coloured-transmission",
+             "Light through coloured matter: error against time of a frame",
+             "What do light's colours cost, and what is lost without them?",
+             "Smoke that lets red pass better than blue, distance of slices over the default one "
+             "at each point; light of three channels or of one, as without TransmissionColor; "
+             "against a ray marcher with shadow rays in double precision.",
+             FrameLabel, Norm },
+    AddTransmissionRows };
 }
 
 Family MakeScalarTypeFamily()
 {
-  return {
-    { "texel-rounding", "Types of scalars: error against time of a frame",
-      "Does it matter how texels round scalars?",
-      "Smoke as scalars of several types, slices a quarter of the default distance apart and "
-      "the default one; against a ray marcher in double precision on the floats that "
-      "the others are rounded from.",
-      FrameLabel, Norm },
-    AddScalarTypeRows
-  };
+  return { { "texel-rounding", "Types of scalars: error against time of a frame",
+             "Does it matter how texels round scalars?",
+             "Smoke as scalars of several types, slices a quarter of the default distance apart "
+             "and the default one; against a ray marcher in double precision on the floats that "
+             "the others are rounded from.",
+             FrameLabel, Norm },
+    AddScalarTypeRows };
 }
 }

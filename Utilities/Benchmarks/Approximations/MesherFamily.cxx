@@ -33,10 +33,9 @@ Family MakeMesherFamily()
       "How fine and how well shaped are tetrahedra to be for the values within them?",
       "vtkTetrahedralMesher fills a ball of triangles that have x^2 - y^2 in their points; by "
       "MaximumVolume in parts of the ball, by QualityBound, or by both; vtkDelaunay3D of the "
-      "points; the linear interpolation of all against x^2 - y^2, which is what the values on "
-      "the boundary mean within. Without a bound the mesher adds no point, which is why "
-      "that stays the default; the peer fills the convex hull alone, and no surface that is not "
-      "convex.",
+      "points; the linear interpolation of all against x^2 - y^2, which is what the values on the "
+      "boundary mean within. Without a bound the mesher adds no point, which is why that stays the "
+      "default; the peer fills the convex hull alone, and no surface that is not convex.",
       "run time (s)", "interpolation within, rms, share of the values' range" },
     AddMesherRows
   };

@@ -130,17 +130,6 @@ vtkSmartPointer<vtkConstructiveVolume> NewBall(int points, int subsamples)
   return source;
 }
 
-BenchWork AgainBy(const vtkSmartPointer<vtkConstructiveVolume>& source)
-{
-  return WithThreads(1,
-    [source]()
-    {
-      source->Modified();
-      source->Update();
-      return vtkSmartPointer<vtkObjectBase>(source);
-    });
-}
-
 void AddSourceSampleRows(const Question& question, const BenchOptions& options, BenchRows& rows)
 {
   const int points = options.Pick(UsualPoints, 32, 8);
@@ -151,7 +140,7 @@ void AddSourceSampleRows(const Question& question, const BenchOptions& options, 
   {
     auto source = NewBall(points, subsamples);
     trials.Add("vtkConstructiveVolume", NumberText(subsamples),
-      subsamples == 1 ? Maker::Default : Maker::Own, AgainBy(source),
+      subsamples == 1 ? Maker::Default : Maker::Own, WithThreads(1, Again(source)),
       [source]() { return MeasureShares(source->GetOutput()); });
   }
   trials.Run(question, options, rows);
@@ -168,7 +157,8 @@ void AddSourceVoxelRows(const Question& question, const BenchOptions& options, B
     {
       auto source = NewBall(points, subsamples);
       trials.Add(subsamples == 1 ? "one sample a voxel" : "4^3 samples a voxel", NumberText(points),
-        subsamples == 1 && points == UsualPoints ? Maker::Default : Maker::Own, AgainBy(source),
+        subsamples == 1 && points == UsualPoints ? Maker::Default : Maker::Own,
+        WithThreads(1, Again(source)),
         [source, places]() { return MeasureEdge(source->GetOutput(), places); });
     }
   }
@@ -188,13 +178,11 @@ Family MakeSourceSampleFamily()
 
 Family MakeSourceVoxelFamily()
 {
-  return {
-    { "source-voxels", "Voxels of a constructive volume: error against run time, 1 thread",
-      "How many voxels for the place of a solid's edge?",
-      "A ball by vtkConstructiveVolume, points along an edge of the image at each point; the "
-      "interpolated density against the ball itself.",
-      "run time (s)", "integral of the difference, share of the ball's volume" },
-    AddSourceVoxelRows
-  };
+  return { { "source-voxels", "Voxels of a constructive volume: error against run time, 1 thread",
+             "How many voxels for the place of a solid's edge?",
+             "A ball by vtkConstructiveVolume, points along an edge of the image at each point; "
+             "the interpolated density against the ball itself.",
+             "run time (s)", "integral of the difference, share of the ball's volume" },
+    AddSourceVoxelRows };
 }
 }

@@ -3,17 +3,15 @@
 #include "Benchmarks/Approximations/FamilySuite.h"
 #include "Benchmarks/Suites/BenchSuites.h"
 
-std::unique_ptr<BenchSuite> MakeFilterErrorsSuite()
+BenchSuite MakeFilterErrorsSuite()
 {
   using namespace approximations;
-  return std::make_unique<FamilySuite>("filter-errors",
+  return MakeFamilySuite("filter-errors",
     "Filters and sources: error against run time for each setting that approximates",
     "A case is one question: the same done by every setting and, where there is one, by a filter "
-    "of "
-    "VTK; all ways take turns. Errors are those of the result against a formula in double "
+    "of VTK; all ways take turns. Errors are those of the result against a formula in double "
     "precision.",
-    std::vector<Family>{ MakeContourFamily(), MakeTableRouteFamily(), MakeMesherFamily(),
-      MakeCriticalPointFamily(), MakeVortexAxisFamily(), MakeStreamSurfaceFamily(),
-      MakeLicStepFamily(), MakeLicLengthFamily(), MakeSourceSampleFamily(),
-      MakeSourceVoxelFamily() });
+    { MakeContourFamily(), MakeTableRouteFamily(), MakeMesherFamily(), MakeCriticalPointFamily(),
+      MakeVortexAxisFamily(), MakeStreamSurfaceFamily(), MakeLicStepFamily(), MakeLicLengthFamily(),
+      MakeSourceSampleFamily(), MakeSourceVoxelFamily() });
 }

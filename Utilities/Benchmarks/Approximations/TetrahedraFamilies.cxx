@@ -140,12 +140,13 @@ Family MakeSortFamily()
 
 Family MakeBlendFamily()
 {
-  return { { "blend-mode", "Blend modes: error against time of a frame",
-             "How far from the picture in order of visibility are the blend modes without order?",
-             "A gyroid in cubes of five tetrahedra, in two colours, four layers by their place; "
-             "against the same mesh integrated along each line of sight in its order of "
-             "visibility.",
-             "time of a frame (s)", "channel difference, mean" },
-    AddBlendRows };
+  return {
+    { "blend-mode", "Blend modes: error against time of a frame",
+      "How far from the picture in order of visibility are the blend modes without order?",
+      "A gyroid in cubes of five tetrahedra, in two colours, four layers by their place; against "
+      "the same mesh integrated along each line of sight in its order of visibility.",
+      "time of a frame (s)", "channel difference, mean" },
+    AddBlendRows
+  };
 }
 }

@@ -231,18 +231,16 @@ const char* const Norm = "channel difference, mean";
 
 Family MakeTimeVolumeFamily()
 {
-  return {
-    { "time-volume-pictures",
-      "Volumes in time as pictures: error against time of extraction and a frame",
-      "A volume in time, projected, or the volumes of the time steps on each other?",
-      "A shell that moves and grows, points along an edge of the grid at each point, "
-      "extracted and drawn by its extent in time; against the chords of its spheres. It "
-      "moves by less than half of its thickness between two of 13 steps, so that these "
-      "may as well be drawn on each other, of several times fewer tetrahedra, until the grid is "
-      "so fine that its error is less than that of the steps.",
-      TimeLabel, Norm },
-    AddSlowRows
-  };
+  return { { "time-volume-pictures",
+             "Volumes in time as pictures: error against time of extraction and a frame",
+             "A volume in time, projected, or the volumes of the time steps on each other?",
+             "A shell that moves and grows, points along an edge of the grid at each point, "
+             "extracted and drawn by its extent in time; against the chords of its spheres. It "
+             "moves by less than half of its thickness between two of 13 steps, so that these may "
+             "as well be drawn on each other, of several times fewer tetrahedra, until the grid is "
+             "so fine that its error is less than that of the steps.",
+             TimeLabel, Norm },
+    AddSlowRows };
 }
 
 Family MakeFastTimeVolumeFamily()

@@ -60,11 +60,10 @@ void SetLeft(BenchRow& row, const Group& group)
   {
     return;
   }
-  row.Counts["ms"] = Median(GetCounts(group, "ms"));
-  row.Counts["ms_largest"] = GetLargest(GetCounts(group, "ms"));
-  row.Counts["noise_ms"] = Median(GetCounts(group, "noise_ms"));
-  row.Counts["timed"] = within.size();
-  row.Counts["within_noise"] = std::count(within.begin(), within.end(), 1.0);
+  row.Set({ { "ms", Median(GetCounts(group, "ms")) },
+    { "ms_largest", GetLargest(GetCounts(group, "ms")) },
+    { "noise_ms", Median(GetCounts(group, "noise_ms")) }, { "timed", within.size() },
+    { "within_noise", std::count(within.begin(), within.end(), 1.0) } });
 }
 
 BenchRow OfFeature(BenchRow row, const Group& group)

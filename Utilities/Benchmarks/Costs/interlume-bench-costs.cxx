@@ -74,18 +74,16 @@ void SetCounts(BenchRow& row, const std::string& prefix, const gallery::Costs& c
 BenchRow MakeRow(
   const BenchRows& rows, const std::string& scene, const gallery::FeatureCosts& feature)
 {
-  BenchRow row = rows.Make(scene, feature.Class);
-  row.Parameter = feature.Feature;
+  BenchRow row = rows.Make(scene, feature.Class, feature.Feature);
   SetCounts(row, "", feature.Left, std::max(feature.OwnOff, feature.OwnAfter));
   SetCounts(row, "on_", feature.Added, feature.OwnOn);
   if (feature.Pairs > 0)
   {
     row.Seconds = BenchSeconds{ feature.Seconds, feature.Pairs };
-    row.Counts["ms"] = Milliseconds(feature.Left.Seconds);
-    row.Counts["noise_ms"] = Milliseconds(feature.Noise);
-    row.Counts["within_noise"] = feature.IsWithinNoise() ? 1 : 0;
-    row.Counts["on_ms"] = Milliseconds(feature.Added.Seconds);
-    row.Counts["on_runs"] = feature.PairsOn;
+    row.Set(
+      { { "ms", Milliseconds(feature.Left.Seconds) }, { "noise_ms", Milliseconds(feature.Noise) },
+        { "within_noise", feature.IsWithinNoise() ? 1 : 0 },
+        { "on_ms", Milliseconds(feature.Added.Seconds) }, { "on_runs", feature.PairsOn } });
   }
   return row;
 }
@@ -96,9 +94,8 @@ void AddRows(const gallery::SceneCosts& scene, BenchRows& rows)
   {
     BenchRow row = rows.Make(scene.Scene, name);
     row.Seconds = BenchSeconds{ costs.Seconds, 1 };
-    row.Counts["executions"] = costs.Executions;
-    row.Counts["arrays"] = costs.Arrays;
-    row.Counts["bytes"] = costs.Bytes;
+    row.Set(
+      { { "executions", costs.Executions }, { "arrays", costs.Arrays }, { "bytes", costs.Bytes } });
     rows.Add(row);
   }
   for (const gallery::FeatureCosts& feature : scene.Features)
@@ -214,17 +211,15 @@ int main(int argc, char* argv[])
   std::vector<std::string> from;
   gallery::CostSettings settings;
   settings.Optional = GetOptionalClasses();
-  CLI::App app(
-    "Measures what scenes of the gallery pay for features that they do not use, and what "
-    "these would add.");
+  CLI::App app("Measures what scenes of the gallery pay for features that they do not use, and "
+               "what these would add.");
   auto* scenes = app.add_option("SCENE", names, "Scenes; default all of the gallery")
                    ->check(CLI::IsMember(known));
   auto* file = app.add_option("--json", json, "Write the rows to this file");
   app
     .add_option("--from", from,
       "Put together what runs have written, of each scene what the last of these files has, "
-      "instead "
-      "of measuring")
+      "instead of measuring")
     ->check(CLI::ExistingFile)
     ->excludes(scenes)
     ->needs(file);

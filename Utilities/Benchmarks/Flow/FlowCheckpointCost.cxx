@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Flow/FlowCheckpointCost.h"
+#include "Benchmarks/Flow/FlowParts.h"
 
 #include "Benchmarks/Measures/BenchTiming.h"
+#include "Benchmarks/Measures/TemporaryFolder.h"
 
 #include "vtkImplicitFlowField.h"
 
@@ -9,34 +10,19 @@
 #include "vtkDataObject.h"
 #include "vtkNew.h"
 
-#include <filesystem>
 #include <string>
 
 namespace flow
 {
 namespace
 {
-/// A folder that is gone with this.
-class ScratchFolder
-{
-public:
-  ScratchFolder()
-    : Path(std::filesystem::temp_directory_path() / "interlume-bench-checkpoints")
-  {
-    std::filesystem::create_directories(this->Path);
-  }
-  ~ScratchFolder()
-  {
-    std::error_code ignored;
-    std::filesystem::remove_all(this->Path, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  const std::filesystem::path Path;
-};
-}
-
+/**
+ * The field HURRICANE, followed back to the domain's faces, at most 10 units of time. Methods, the
+ * peer of each the same filter without a file:
+ * - `checkpoints`: CheckpointInterval as it is, a minute;
+ * - `checkpoints-often`: 0, whenever there is something to write and the last one took less than a
+ *   tenth of the time since.
+ */
 void AddCheckpointRows(const BenchOptions& options, BenchRows& rows)
 {
   const int samples = options.Pick(128, 48, 8);
@@ -44,7 +30,7 @@ void AddCheckpointRows(const BenchOptions& options, BenchRows& rows)
   source->SetField(vtkAnalyticFlowSource::HURRICANE);
   source->SetDimensions(samples / 2, samples / 2, samples / 2);
   source->Update();
-  const ScratchFolder folder;
+  const TemporaryFolder folder("interlume-bench-checkpoints");
   vtkNew<vtkImplicitFlowField> filters[3];
   std::vector<BenchWork> works;
   for (int i = 0; i < 3; ++i)
@@ -72,13 +58,11 @@ void AddCheckpointRows(const BenchOptions& options, BenchRows& rows)
   const char* const methods[] = { "", "checkpoints", "checkpoints-often" };
   for (int i = 1; i < 3; ++i)
   {
-    BenchRow row = rows.Make("hurricane-" + std::to_string(samples), methods[i]);
-    row.Parameter = ThreadsParameter(options.Threads);
-    row.Seconds = seconds[i];
-    row.Peer = "without";
-    row.PeerSeconds = seconds[0];
-    row.Counts["samples"] = filters[i]->GetReport().Samples;
-    row.Counts["written"] = filters[i]->GetReport().Checkpoints;
+    BenchRow row = rows.Make(
+      "hurricane-" + std::to_string(samples), methods[i], ThreadsParameter(options.Threads));
+    row.SetTimes(seconds[i], "without", seconds[0]);
+    row.Set({ { "samples", filters[i]->GetReport().Samples },
+      { "written", filters[i]->GetReport().Checkpoints } });
     rows.Add(row);
   }
 }
@@ -92,5 +76,11 @@ std::vector<BenchClaim> CheckCheckpointClaims(const std::vector<BenchRow>& rows)
         ? std::optional<double>(*row.Seconds / *row.PeerSeconds)
         : std::nullopt;
     }) };
+}
+}
+
+BenchPart MakeCheckpointPart()
+{
+  return { AddCheckpointRows, nullptr, CheckCheckpointClaims };
 }
 }

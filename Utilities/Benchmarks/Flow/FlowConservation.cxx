@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Flow/FlowConservation.h"
+#include "Benchmarks/Flow/FlowParts.h"
 
 #include "Benchmarks/Flow/FlowDisc.h"
 #include "Benchmarks/Measures/BenchTiming.h"
@@ -87,14 +87,16 @@ void AddCase(const Conserved& what, const BenchOptions& options, BenchRows& rows
     largest = std::max(largest, std::abs(std::abs(flux) / inflow - 1.0));
   }
   row.Parameter = ThreadsParameter(options.Threads);
-  row.Error = largest;
-  row.ErrorNorm = "largest relative deviation of a time surface's flux";
-  row.Counts["surfaces"] = Surfaces;
-  row.Counts["deviation_percent"] = 100.0 * largest;
+  row.SetError("largest relative deviation of a time surface's flux", largest);
+  row.Set({ { "surfaces", Surfaces }, { "deviation_percent", 100.0 * largest } });
   rows.Add(row);
 }
-}
 
+/**
+ * Method `conservation`: stream volumes from a disc in fields without divergence, `contraction`,
+ * `sphere` (beside it) and `abc`; the error is the largest deviation of the flux through a time
+ * surface from that through the disc, relative to it.
+ */
 void AddConservationRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const Conserved& what : MakeCases(options.Pick(64, 32, 16)))
@@ -107,5 +109,11 @@ std::vector<BenchClaim> CheckConservationClaims(const std::vector<BenchRow>& row
 {
   return { BenchClaim::AtMost("flux through the time surfaces of a stream volume constant to 1 %",
     1.0, rows, CountOf(Conservation, "deviation_percent")) };
+}
+}
+
+BenchPart MakeConservationPart()
+{
+  return { AddConservationRows, nullptr, CheckConservationClaims };
 }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Flow/FlowExplicit.h"
+#include "Benchmarks/Flow/FlowParts.h"
 
 #include "Benchmarks/Flow/ExplicitFlowVolume.h"
 #include "Benchmarks/Flow/FlowTubes.h"
@@ -92,11 +92,11 @@ public:
   void Fill(BenchRow& row) const
   {
     const double exact = this->Exact.Volume;
-    row.Error = (this->Outside + std::abs(exact - (this->Volume - this->Outside))) / exact;
-    row.ErrorNorm = "volume outside of the tube and volume missing, of the tube's";
-    row.Counts["tetrahedra"] = this->Tetrahedra;
-    row.Counts["volume_error"] = std::abs(this->Volume - exact) / exact;
-    row.Counts[BoundaryCount] = this->Sides.GetRootMeanSquare();
+    row.SetError("volume outside of the tube and volume missing, of the tube's",
+      (this->Outside + std::abs(exact - (this->Volume - this->Outside))) / exact);
+    row.Set({ { "tetrahedra", this->Tetrahedra },
+      { "volume_error", std::abs(this->Volume - exact) / exact },
+      { BoundaryCount, this->Sides.GetRootMeanSquare() } });
   }
 
 private:
@@ -121,8 +121,7 @@ void AddExplicit(const Tube& tube, int rings, bool isHalved, BenchRows& rows)
     tetrahedra = volume->MakeTetrahedra();
     return vtkSmartPointer<vtkObjectBase>(tetrahedra);
   };
-  BenchRow row = rows.Make(tube.Name, isHalved ? Halved : Explicit);
-  row.Parameter = rings;
+  BenchRow row = rows.Make(tube.Name, isHalved ? Halved : Explicit, rings);
   row.Seconds = TimeOnce(WithThreads(1, work));
   TubeErrors errors(tube);
   errors.AddTetrahedra(tetrahedra);
@@ -166,8 +165,7 @@ void AddImplicit(
     pipeline.Mapping->Modified();
     return work();
   };
-  BenchRow row = rows.Make(tube.Name, levels > 0 ? Refined : Implicit);
-  row.Parameter = samples;
+  BenchRow row = rows.Make(tube.Name, levels > 0 ? Refined : Implicit, samples);
   row.Seconds = TimeOnce(work);
   row.Counts["streamlines"] = pipeline.Field->GetReport().Samples;
   const BenchSeconds seconds = MeasureAlternately({ again }, options.GetRepeats()).front();
@@ -191,30 +189,27 @@ void AddImplicit(
 }
 
 /// The plot of that name for such a row, which is made where it is missing.
-BenchPlot& FindPlot(const BenchRow& row, bool isBoundary, std::vector<BenchPlot>& plots)
+BenchPlot MakePlot(const std::string& tube, bool isBoundary)
 {
-  const std::string name = "flow-explicit-" + row.Case + (isBoundary ? "-boundary" : "");
-  const auto found = std::find_if(
-    plots.begin(), plots.end(), [&name](const BenchPlot& plot) { return plot.Name == name; });
-  if (found != plots.end())
-  {
-    return *found;
-  }
-  plots.push_back(
-    BenchPlot::OfErrors(name, "Stream volume, " + row.Case + ", 1 thread", "run time (s)",
-      isBoundary ? "boundary, rms distance (unit of length)" : "misplaced volume / volume"));
-  plots.back().Question = std::string("How fine are samples to be for the ") +
-    (isBoundary ? "boundary" : "volume") + " of the stream volume " + row.Case + "?";
-  plots.back().Conditions =
+  return BenchPlot::OfErrors("flow-explicit-" + tube + (isBoundary ? "-boundary" : ""),
+    "Stream volume, " + tube + ", 1 thread", "run time (s)",
+    isBoundary ? "boundary, rms distance (unit of length)" : "misplaced volume / volume",
+    std::string("How fine are samples to be for the ") + (isBoundary ? "boundary" : "volume") +
+      " of the stream volume " + tube + "?",
     "Implicit by samples along an edge, cells refined or not, and again on a field that is there, "
     "which is no choice for the first time; explicit, the peer, by rings of streamlines, halved "
-    "where they part or not. Ringed: "
-    "the "
-    "finest samples without refinement.";
-  return plots.back();
-}
+    "where they part or not. Ringed: the finest samples without refinement.");
 }
 
+/**
+ * The cases of MakeTubes, by one thread. Methods, with their parameters:
+ * - `explicit`, `explicit-halved`: ExplicitFlowVolume, without and with edges halved that grow
+ *   beyond 1.5 times what they are on the disc; its rings, four layers for each;
+ * - `implicit`: DiscVolume, from the field to the volume; samples along each side of a box behind
+ *   the disc's plane;
+ * - `implicit-again`: the same volume after a change of the inflow mapping;
+ * - `implicit-refined`: as `implicit`, with two levels of refinement.
+ */
 void AddExplicitRows(const BenchOptions& options, BenchRows& rows)
 {
   const auto rings = options.Pick<std::vector<int>>({ 4, 8, 16, 32 }, { 4, 8 }, { 2, 4 });
@@ -255,7 +250,7 @@ std::vector<BenchPlot> MakeExplicitPlots(const std::vector<BenchRow>& rows)
       for (const bool isBoundary : { false, true })
       {
         const double error = isBoundary ? row.Counts[BoundaryCount].get<double>() : *row.Error;
-        BenchPlot& plot = FindPlot(row, isBoundary, plots);
+        BenchPlot& plot = FindOrAdd(plots, MakePlot(row.Case, isBoundary));
         plot.AddPoint(row.Method, isPeer, *row.Seconds, error, row.GetParameterText());
         plot.SetNoChoice(Again);
         plot.SetDefault(Implicit);
@@ -263,5 +258,11 @@ std::vector<BenchPlot> MakeExplicitPlots(const std::vector<BenchRow>& rows)
     }
   }
   return plots;
+}
+}
+
+BenchPart MakeExplicitPart()
+{
+  return { AddExplicitRows, MakeExplicitPlots };
 }
 }

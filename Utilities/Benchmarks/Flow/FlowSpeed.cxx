@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Flow/FlowSpeed.h"
+#include "Benchmarks/Flow/FlowParts.h"
 
 #include "Benchmarks/Flow/FlowCases.h"
 #include "Benchmarks/Flow/FlowMethods.h"
 #include "Benchmarks/Flow/FlowReference.h"
 #include "Benchmarks/Measures/BenchTiming.h"
-#include "Benchmarks/Measures/ProcessorClock.h"
 #include "Benchmarks/Measures/SecondThread.h"
 
 #include "vtkImageData.h"
@@ -22,7 +21,7 @@ namespace
 {
 const char* const Advection = "advection";
 const char* const EqualError = "equal-error";
-const char* const Again = "equal-error-again";
+const char* const EqualAgain = "equal-error-again";
 const char* const Norm = "mean distance of the ends from the streamlines";
 constexpr double DefaultTolerance = 1e-6;
 /// vtkStreamTracer's points are in single precision on images, which rounds places near 1 by that.
@@ -42,17 +41,6 @@ BenchWork MakeAdvection(const Case& what, double tolerance)
   return [&what, tolerance]()
   {
     const auto filter = NewAdvection(what, vtkImplicitFlowField::AUTOMATIC, tolerance);
-    filter->Update();
-    return vtkSmartPointer<vtkObjectBase>(filter);
-  };
-}
-
-/// A filter that has executed before executes again on the same mesh.
-BenchWork MakeAgain(vtkImplicitFlowField* filter)
-{
-  return [filter]()
-  {
-    filter->Modified();
     filter->Update();
     return vtkSmartPointer<vtkObjectBase>(filter);
   };
@@ -109,14 +97,11 @@ public:
 private:
   void AddTrial(const std::string& method, const Trial& trial)
   {
-    BenchRow row = this->Rows.Make(this->What.Name, method);
-    row.Parameter = trial.Parameter;
+    BenchRow row = this->Rows.Make(this->What.Name, method, trial.Parameter);
     row.Seconds = trial.Seconds;
-    row.Error = trial.Apart.Mean;
-    row.ErrorNorm = Norm;
-    row.Counts["steps"] = trial.Found.Steps;
-    row.Counts["time_error"] = trial.Apart.Time;
-    row.Counts["steps_per_second"] = static_cast<double>(trial.Found.Steps) / trial.Seconds;
+    row.SetError(Norm, trial.Apart.Mean);
+    row.Set({ { "steps", trial.Found.Steps }, { "time_error", trial.Apart.Time },
+      { "steps_per_second", static_cast<double>(trial.Found.Steps) / trial.Seconds } });
     this->Rows.Add(row);
   }
 
@@ -157,40 +142,27 @@ private:
     {
       this->AddAgain(own, settings, other);
     }
-    ProcessorClock clocks[4];
-    const std::vector<BenchSeconds> seconds = MeasureAlternately(
-      { WithThreads(1, clocks[0].Watch(MakeAdvection(this->What, DefaultTolerance))),
-        clocks[1].Watch(MakeTracing(this->What, settings)),
-        clocks[2].Watch(MakeAdvection(one, DefaultTolerance)),
-        clocks[3].Watch(MakeTracing(one, settings)) },
-      3);
-    const double processor = clocks[0].Take();
-    const double peerProcessor = clocks[1].Take();
-    BenchRow row = this->Rows.Make(this->What.Name, EqualError);
-    row.Parameter = DefaultTolerance;
-    row.Error = own.Apart.Mean;
-    row.ErrorNorm = Norm;
-    row.Seconds = seconds[0];
-    row.Peer = std::string(Peer) + "-" + settings.GetName();
-    row.PeerSeconds = seconds[1];
+    const std::vector<BenchSeconds> seconds =
+      MeasureAlternately({ WithThreads(1, MakeAdvection(this->What, DefaultTolerance)),
+                           MakeTracing(this->What, settings), MakeAdvection(one, DefaultTolerance),
+                           MakeTracing(one, settings) },
+        3);
+    BenchRow row = this->Rows.Make(this->What.Name, EqualError, DefaultTolerance);
+    row.SetError(Norm, own.Apart.Mean);
+    row.SetTimes(seconds[0], std::string(Peer) + "-" + settings.GetName(), seconds[1]);
     const auto samples = static_cast<double>(this->What.Seeds->GetNumberOfPoints());
-    const double rate = StepsPerSecond(own.Found.Steps, processor, clocks[2].Take());
-    const double peerRate = StepsPerSecond(other.Found.Steps, peerProcessor, clocks[3].Take());
-    row.Counts["steps"] = own.Found.Steps;
-    row.Counts["steps_per_second"] = rate;
-    row.Counts["samples_per_second"] = samples / seconds[0];
-    row.Counts["processor_seconds"] = processor;
-    row.Counts["setup_seconds"] = seconds[2].Value;
-    row.Counts["time_error"] = own.Apart.Time;
-    row.Counts["peer_processor_seconds"] = peerProcessor;
-    row.Counts["peer_setup_seconds"] = seconds[3].Value;
-    row.Counts["peer_parameter"] = other.Parameter;
-    row.Counts["peer_error"] = other.Apart.Mean;
-    row.Counts["peer_time_error"] = other.Apart.Time;
-    row.Counts["peer_steps"] = other.Found.Steps;
-    row.Counts["peer_steps_per_second"] = peerRate;
-    row.Counts["peer_samples_per_second"] = samples / seconds[1];
-    row.Counts["steps_per_second_ratio"] = rate / peerRate;
+    const double rate = StepsPerSecond(own.Found.Steps, seconds[0].Processor, seconds[2].Processor);
+    const double peerRate =
+      StepsPerSecond(other.Found.Steps, seconds[1].Processor, seconds[3].Processor);
+    row.Set({ { "steps", own.Found.Steps }, { "steps_per_second", rate },
+      { "samples_per_second", samples / seconds[0] }, { "processor_seconds", seconds[0].Processor },
+      { "setup_seconds", seconds[2].Value }, { "time_error", own.Apart.Time },
+      { "peer_processor_seconds", seconds[1].Processor },
+      { "peer_setup_seconds", seconds[3].Value }, { "peer_parameter", other.Parameter },
+      { "peer_error", other.Apart.Mean }, { "peer_time_error", other.Apart.Time },
+      { "peer_steps", other.Found.Steps }, { "peer_steps_per_second", peerRate },
+      { "peer_samples_per_second", samples / seconds[1] },
+      { "steps_per_second_ratio", rate / peerRate } });
     this->Rows.Add(row);
   }
 
@@ -199,22 +171,14 @@ private:
   {
     const auto known = NewAdvection(this->What, vtkImplicitFlowField::AUTOMATIC, DefaultTolerance);
     known->Update();
-    ProcessorClock clocks[2];
-    const std::vector<BenchSeconds> seconds =
-      MeasureAlternately({ WithThreads(1, clocks[0].Watch(MakeAgain(known))),
-                           WithThreads(1, clocks[1].Watch(MakeTracing(this->What, settings))) },
-        3);
-    BenchRow row = this->Rows.Make(this->What.Name, Again);
-    row.Parameter = DefaultTolerance;
-    row.Error = own.Apart.Mean;
-    row.ErrorNorm = Norm;
-    row.Seconds = seconds[0];
-    row.Peer = std::string(Peer) + "-" + settings.GetName();
-    row.PeerSeconds = seconds[1];
-    row.Counts["processor_seconds"] = clocks[0].Take().Value;
-    row.Counts["peer_processor_seconds"] = clocks[1].Take().Value;
-    row.Counts["kept_faces"] = known->GetReport().KeptFaces;
-    row.Counts["peer_error"] = other.Apart.Mean;
+    const std::vector<BenchSeconds> seconds = MeasureAlternately(
+      { WithThreads(1, Again(known)), WithThreads(1, MakeTracing(this->What, settings)) }, 3);
+    BenchRow row = this->Rows.Make(this->What.Name, EqualAgain, DefaultTolerance);
+    row.SetError(Norm, own.Apart.Mean);
+    row.SetTimes(seconds[0], std::string(Peer) + "-" + settings.GetName(), seconds[1]);
+    row.Set({ { "processor_seconds", seconds[0].Processor },
+      { "peer_processor_seconds", seconds[1].Processor },
+      { "kept_faces", known->GetReport().KeptFaces }, { "peer_error", other.Apart.Mean } });
     this->Rows.Add(row);
   }
 
@@ -246,8 +210,16 @@ std::function<std::optional<double>(const BenchRow&)> OfEqualError(bool isImage,
     return number(row);
   };
 }
-}
 
+/**
+ * Streamlines of ABC flow to a box, by one thread. Methods:
+ * - `advection`, and the peer's `RK4` and `RK45`: error against run time, the parameter being
+ *   MaximumError over the largest speed, the step in cells, and MaximumError;
+ * - `equal-error`: the default of the advection against the peers `streamtracer-RK4` and
+ *   `streamtracer-RK45` at the first of their settings, halved or divided by ten each time, of an
+ *   error no more than twice that of the advection;
+ * - `threads-2`: two threads against one.
+ */
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 {
   const std::vector<Case> cases = MakeSpeedCases(options);
@@ -262,20 +234,17 @@ std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
 {
   const auto ratio = [](const BenchRow& row) { return *row.GetRatio(); };
   return {
-    BenchClaim::AtLeast("at least 8 times as many samples a second as streamtracer at equal error, "
-                        "images, 1 thread",
+    BenchClaim::AtLeast(
+      "at least 8 times as many samples a second as streamtracer at equal error, images, 1 thread",
       8.0, rows, OfEqualError(true, ratio)),
     BenchClaim::AtLeast("at least 4 times as many samples a second as streamtracer at equal error, "
                         "unstructured grids, 1 thread",
       4.0, rows, OfEqualError(false, ratio)),
     BenchClaim::AtLeast("at least 8 times as many samples a second as streamtracer at equal error, "
                         "unstructured grids, executed again, 1 thread",
-      8.0, rows,
-      [](const BenchRow& row) -> std::optional<double>
-      { return row.Method == Again ? row.GetRatio() : std::nullopt; }),
-    BenchClaim::AtLeast("a second thread: at least 1.8 times faster", 1.8, rows,
-      [](const BenchRow& row) -> std::optional<double>
-      { return row.Method == "threads-2" ? row.GetRatio() : std::nullopt; }),
+      8.0, rows, RatioOf(EqualAgain)),
+    BenchClaim::AtLeast(
+      "a second thread: at least 1.8 times faster", 1.8, rows, RatioOf("threads-2")),
   };
 }
 
@@ -285,32 +254,28 @@ std::vector<BenchPlot> MakeSpeedPlots(const std::vector<BenchRow>& rows)
   for (const BenchRow& row : rows)
   {
     const bool isOwn = row.Method == Advection;
-    const bool isPeer = row.Method == "RK4" || row.Method == "RK45";
-    const bool isCase = std::any_of(rows.begin(), rows.end(),
-      [&row](const BenchRow& other)
-      { return other.Case == row.Case && other.Method == Advection; });
-    if (!row.Error || !isCase || (!isOwn && !isPeer))
+    if (!isOwn && row.Method != "RK4" && row.Method != "RK45")
     {
       continue;
     }
-    if (plots.empty() ||
-      plots.back().Title != "Streamlines of ABC flow, " + row.Case + ", 1 thread")
-    {
-      plots.push_back(BenchPlot::OfErrors("flow-error-" + row.Case,
+    BenchPlot& plot = FindOrAdd(plots,
+      BenchPlot::OfErrors("flow-error-" + row.Case,
         "Streamlines of ABC flow, " + row.Case + ", 1 thread", "run time (s)",
-        "mean distance from the streamline"));
-      plots.back().Question = "Which tolerance for streamlines on " + row.Case + "?";
-      plots.back().Conditions =
+        "mean distance from the streamline", "Which tolerance for streamlines on " + row.Case + "?",
         "vtkImplicitFlowField by tolerance over the largest speed, vtkStreamTracer by its steps "
-        "and tolerances; ends against streamlines of the interpolation in double precision.";
-    }
-    plots.back().AddPoint(isOwn ? row.Method : std::string(Peer) + " " + row.Method, !isOwn,
-      *row.Seconds, *row.Error, row.GetParameterText());
+        "and tolerances; ends against streamlines of the interpolation in double precision."));
+    plot.AddRow(row, !isOwn, isOwn ? row.Method : std::string(Peer) + " " + row.Method);
     if (isOwn && row.Parameter.get<double>() == DefaultTolerance)
     {
-      plots.back().SetDefault(row.Method, row.GetParameterText());
+      plot.SetDefault(row.Method, row.GetParameterText());
     }
   }
   return plots;
+}
+}
+
+BenchPart MakeSpeedPart()
+{
+  return { AddSpeedRows, MakeSpeedPlots, CheckSpeedClaims };
 }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Flow/FlowTolerances.h"
+#include "Benchmarks/Flow/FlowParts.h"
 
 #include "Benchmarks/Flow/FlowFields.h"
 #include "Benchmarks/Flow/FlowMethods.h"
@@ -47,13 +47,7 @@ void Measure(const FieldCase& field, const BenchOptions& options, std::vector<Ow
   for (OwnTrial& trial : trials)
   {
     trial.Row.Seconds = RunOnce(trial.Filter);
-    works.push_back(WithThreads(1,
-      [filter = trial.Filter]()
-      {
-        filter->Modified();
-        filter->Update();
-        return vtkSmartPointer<vtkObjectBase>(filter);
-      }));
+    works.push_back(WithThreads(1, Again(trial.Filter)));
   }
   if (field.IsStiff)
   {
@@ -85,8 +79,7 @@ void SetErrors(const FieldCase& field, const BenchOptions& options, const Answer
   {
     const vtkIdType stride = field.IsStiff ? 1 : options.Pick(1, 4, 1);
     const Difference apart = field.Exact.Compare(answer, stride, error);
-    row.Error = apart.Mean;
-    row.ErrorNorm = Norm;
+    row.SetError(Norm, apart.Mean);
     row.Counts["time_error"] = apart.Time;
     if (error > 0.0)
     {
@@ -129,11 +122,10 @@ void AddOwnRows(const FieldCase& field, const BenchOptions& options, std::vector
     SetErrors(field, options, ReadAdvection(field.What, trial.Filter),
       10.0 * trial.Filter->GetMaximumError(), row);
     const vtkFlowReport& report = trial.Filter->GetReport();
-    row.Counts["samples"] = report.Samples;
-    row.Counts["steps"] = report.Steps;
-    row.Counts["stiff_steps"] = report.StiffSteps;
-    row.Counts["rejected"] = report.RejectedSteps + report.RejectedStiffSteps;
-    row.Counts["evaluations"] = report.Evaluations;
+    row.Set({ { "samples", report.Samples }, { "steps", report.Steps },
+      { "stiff_steps", report.StiffSteps },
+      { "rejected", report.RejectedSteps + report.RejectedStiffSteps },
+      { "evaluations", report.Evaluations } });
     rows.Add(row);
   }
 }
@@ -174,41 +166,38 @@ void AddPeerRows(const FieldCase& field, const BenchOptions& options,
   }
 }
 
-/// The plot for such a row, with its default's point where the row is that.
+/// Adds the row to its plot, with the default's ring if the row is that.
 void AddPoint(const BenchRow& row, bool isOwn, bool isTime, std::vector<BenchPlot>& plots)
 {
-  const double error = isTime ? row.Counts.value("time_error", 0.0) : row.Error.value_or(0.0);
-  // Errors of 0 have no place on the axis.
-  if (!(error > 0.0))
+  BenchRow shown = row;
+  if (isTime)
   {
-    return;
+    shown.Error = row.Counts.value("time_error", 0.0);
   }
-  const std::string name = "flow-tolerance-" + row.Case + (isTime ? "-time" : "");
-  auto plot = std::find_if(
-    plots.begin(), plots.end(), [&name](const BenchPlot& other) { return other.Name == name; });
-  if (plot == plots.end())
-  {
-    BenchPlot fresh = BenchPlot::OfErrors(name,
+  BenchPlot& plot = FindOrAdd(plots,
+    BenchPlot::OfErrors("flow-tolerance-" + row.Case + (isTime ? "-time" : ""),
       (isTime ? "Time at the end, " : "Place (u,v) of the end, ") + row.Case + ", 1 thread",
       "run time (s)",
       isTime ? "mean error of the time (unit of time)"
-             : "mean distance from the streamline (unit of length)");
-    fresh.Question = std::string("Which integrator, at which tolerance, for the ") +
-      (isTime ? "time" : "place") + " at which a streamline of " + row.Case + " ends?";
-    fresh.Conditions = "vtkImplicitFlowField at tolerances over the largest speed, vtkStreamTracer "
-                       "at steps and tolerances; ends against the streamlines themselves.";
-    plot = plots.insert(plots.end(), fresh);
-  }
-  plot->AddPoint(isOwn ? row.Method : std::string(Peer) + " " + row.Method, !isOwn, *row.Seconds,
-    error, row.GetParameterText());
+             : "mean distance from the streamline (unit of length)",
+      std::string("Which integrator, at which tolerance, for the ") + (isTime ? "time" : "place") +
+        " at which a streamline of " + row.Case + " ends?",
+      "vtkImplicitFlowField at tolerances over the largest speed, vtkStreamTracer at steps and "
+      "tolerances; ends against the streamlines themselves."));
+  plot.AddRow(shown, !isOwn, isOwn ? row.Method : std::string(Peer) + " " + row.Method);
   if (row.Method == Automatic && row.Parameter.get<double>() == ClaimedTolerance &&
     row.Case.rfind("stiff", 0) != 0)
   {
-    plot->SetDefault(row.Method, row.GetParameterText());
+    plot.SetDefault(row.Method, row.GetParameterText());
   }
 }
-}
 
+/**
+ * The cases of FlowFields, by one thread. Methods: each integrator of vtkImplicitFlowField at each
+ * tolerance, which is the parameter: MaximumError over the largest speed, but in fields that are
+ * stiff MaximumError; and, where the field is not stiff, the peer's `RK4` by step in cells and
+ * `RK45` by MaximumError.
+ */
 void AddToleranceRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const FieldCase& field : MakeFieldCases(options))
@@ -256,5 +245,11 @@ std::vector<BenchPlot> MakeTolerancePlots(const std::vector<BenchRow>& rows)
     }
   }
   return plots;
+}
+}
+
+BenchPart MakeTolerancePart()
+{
+  return { AddToleranceRows, MakeTolerancePlots, CheckToleranceClaims };
 }
 }

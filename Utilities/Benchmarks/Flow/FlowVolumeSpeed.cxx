@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Flow/FlowVolumeSpeed.h"
+#include "Benchmarks/Flow/FlowParts.h"
 
 #include "Benchmarks/Measures/BenchTiming.h"
 
@@ -91,16 +91,15 @@ BenchSeconds AddSamples(
       return vtkSmartPointer<vtkObjectBase>(volumes.Field->GetOutputDataObject(0));
     }));
   const vtkFlowReport& report = volumes.Field->GetReport();
-  BenchRow row = rows.Make(name, "samples");
-  row.Parameter = ThreadsParameter(options.Threads);
+  BenchRow row = rows.Make(name, "samples", ThreadsParameter(options.Threads));
   row.Seconds = seconds;
-  row.Counts["samples"] = report.Samples;
-  row.Counts["steps"] = report.Steps + report.StiffSteps;
-  row.Counts["lane_steps"] = report.LaneSteps;
-  row.Counts["steps_per_second"] = static_cast<double>(report.Steps + report.StiffSteps) / seconds;
-  row.Counts["microseconds_per_sample"] = 1e6 * seconds / static_cast<double>(report.Samples);
-  row.Counts["reached"] = static_cast<double>(report.Statuses[vtkFlowStatus::REACHED_SURFACE]) /
-    static_cast<double>(report.Samples);
+  row.Set({ { "samples", report.Samples }, { "steps", report.Steps + report.StiffSteps },
+    { "lane_steps", report.LaneSteps },
+    { "steps_per_second", static_cast<double>(report.Steps + report.StiffSteps) / seconds },
+    { "microseconds_per_sample", 1e6 * seconds / static_cast<double>(report.Samples) },
+    { "reached",
+      static_cast<double>(report.Statuses[vtkFlowStatus::REACHED_SURFACE]) /
+        static_cast<double>(report.Samples) } });
   rows.Add(row);
   return seconds;
 }
@@ -131,21 +130,25 @@ void AddChanges(const std::string& name, Volumes& volumes, const BenchSeconds& a
         change.Volume->Update();
         return vtkSmartPointer<vtkObjectBase>(change.Volume->GetOutput());
       });
-    BenchRow row = rows.Make(name, change.Method);
-    row.Parameter = ThreadsParameter(threads);
-    row.Seconds = MeasureAlternately({ work }, options.GetRepeats()).front();
-    row.Peer = "advection";
-    row.PeerSeconds = advection;
+    BenchRow row = rows.Make(name, change.Method, ThreadsParameter(threads));
+    row.SetTimes(
+      MeasureAlternately({ work }, options.GetRepeats()).front(), "advection", advection);
     const vtkFlowVolumeReport& report = change.Volume->GetReport();
-    row.Counts["tetrahedra"] = change.Volume->GetOutput()->GetNumberOfCells();
-    row.Counts["advections"] = volumes.Field->GetReport().Executions - before;
-    row.Counts["inflow_passes"] = report.InflowPasses;
-    row.Counts["time_passes"] = report.TimePasses;
+    row.Set({ { "tetrahedra", change.Volume->GetOutput()->GetNumberOfCells() },
+      { "advections", volumes.Field->GetReport().Executions - before },
+      { "inflow_passes", report.InflowPasses }, { "time_passes", report.TimePasses } });
     rows.Add(row);
   }
 }
-}
 
+/**
+ * The field HURRICANE, followed back to the domain's faces, but at most 10 units of time; samples
+ * are the points of an image of that many points a side, twice those of the field. Methods:
+ * - `samples`: the advection, all threads, once;
+ * - `new-mapping`, `new-interval`, `new-times`: a new stream volume after a change of the inflow
+ *   mapping, of its interval alone, of the range of times alone; the peer `advection` is that of
+ *   `samples`, the count `advections` how often it was done again.
+ */
 void AddVolumeRows(const BenchOptions& options, BenchRows& rows)
 {
   const int samples = options.Pick(128, 32, 8);
@@ -171,5 +174,11 @@ std::vector<BenchClaim> CheckVolumeClaims(const std::vector<BenchRow>& rows)
           : std::nullopt;
       }),
   };
+}
+}
+
+BenchPart MakeVolumePart()
+{
+  return { AddVolumeRows, nullptr, CheckVolumeClaims };
 }
 }

@@ -1,41 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Flow/FlowCheckpointCost.h"
-#include "Benchmarks/Flow/FlowConservation.h"
-#include "Benchmarks/Flow/FlowExplicit.h"
-#include "Benchmarks/Flow/FlowTolerances.h"
-#include "Benchmarks/Flow/FlowVolumeSpeed.h"
+#include "Benchmarks/Flow/FlowParts.h"
 #include "Benchmarks/Suites/BenchSuites.h"
 
-#include <utility>
-
-namespace
+BenchSuite MakeFlowSuite()
 {
-class SuiteFlow : public BenchSuite
-{
-public:
-  std::string GetName() const override { return "flow"; }
-  std::string GetTitle() const override
-  {
-    return "vtkImplicitFlowField, vtkFlowVolume: error against run time, stream volumes";
-  }
-
-  std::vector<std::string> GetDescription() const override
-  {
-    return {
+  return { "flow", "vtkImplicitFlowField, vtkFlowVolume: error against run time, stream volumes",
+    {
       "uniform, rotation, saddle, spiral, stiff: linear fields, which interpolation keeps, so that "
       "streamlines are known by formulas; source-sink, sphere, abc: against streamlines of the "
-      "interpolated field as in flow-speed. The "
-      "parameter is MaximumError over the largest speed; in stiff fields, saddles of that ratio of "
-      "eigenvalues that damp backward, MaximumError. within: the share of the answers that are no "
-      "further than 10 MaximumError times their time from where the field carries the sample in "
-      "that time. RK4 and RK45 are those of vtkStreamTracer.",
+      "interpolated field as in flow-speed. The parameter is MaximumError over the largest speed; "
+      "in stiff fields, saddles of that ratio of eigenvalues that damp backward, MaximumError. "
+      "within: the share of the answers that are no further than 10 MaximumError times their time "
+      "from where the field carries the sample in that time. RK4 and RK45 are those of "
+      "vtkStreamTracer.",
       "hurricane: advection of as many samples, at most 10 units of time; new stream volumes when "
       "the inflow mapping, the interval alone, or the range of times alone changes, against that "
       "advection. advections: how often it was done again. checkpoints, checkpoints-often: the "
-      "same "
-      "advection with a checkpoint each minute, and whenever the last one took less than a tenth "
-      "of "
-      "the time since, against that without; written: how often there was one.",
+      "same advection with a checkpoint each minute, and whenever the last one took less than a "
+      "tenth of the time since, against that without; written: how often there was one.",
       "conservation: stream volumes from a disc in fields without divergence, the flux through "
       "five time surfaces against that through the disc.",
       "contraction, beside, around: the stream volume of a disc where it is known by formulas, "
@@ -44,48 +26,9 @@ public:
       "explicit-halved: with edges halved where streamlines part. implicit: vtkImplicitFlowField, "
       "vtkInflowMapping and vtkFlowVolume, the parameter being samples a side; implicit-again: the "
       "same after a change of the mapping; implicit-refined: with two levels of refinement. The "
-      "error is the volume of tetrahedra whose middle is "
-      "outside, and the volume missing, over the tube's; boundary_distance the distance of the "
-      "tube's sides, root mean square.",
-    };
-  }
-
-  void Run(const BenchOptions& options, BenchRows& rows) const override
-  {
-    flow::AddToleranceRows(options, rows);
-    flow::AddVolumeRows(options, rows);
-    flow::AddCheckpointRows(options, rows);
-    flow::AddConservationRows(options, rows);
-    flow::AddExplicitRows(options, rows);
-  }
-
-  std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows) const override
-  {
-    std::vector<BenchClaim> claims = flow::CheckToleranceClaims(rows);
-    for (const auto& check :
-      { flow::CheckVolumeClaims, flow::CheckCheckpointClaims, flow::CheckConservationClaims })
-    {
-      for (BenchClaim& claim : check(rows))
-      {
-        claims.push_back(std::move(claim));
-      }
-    }
-    return claims;
-  }
-
-  std::vector<BenchPlot> MakePlots(const std::vector<BenchRow>& rows) const override
-  {
-    std::vector<BenchPlot> plots = flow::MakeTolerancePlots(rows);
-    for (BenchPlot& plot : flow::MakeExplicitPlots(rows))
-    {
-      plots.push_back(std::move(plot));
-    }
-    return plots;
-  }
-};
-}
-
-std::unique_ptr<BenchSuite> MakeFlowSuite()
-{
-  return std::make_unique<SuiteFlow>();
+      "error is the volume of tetrahedra whose middle is outside, and the volume missing, over the "
+      "tube's; boundary_distance the distance of the tube's sides, root mean square.",
+    },
+    { flow::MakeTolerancePart(), flow::MakeVolumePart(), flow::MakeCheckpointPart(),
+      flow::MakeConservationPart(), flow::MakeExplicitPart() } };
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Measures/BenchTiming.h"
-#include "Benchmarks/Measures/ProcessorClock.h"
 #include "Benchmarks/Results/SpeedPlots.h"
 #include "Benchmarks/Suites/BenchSuites.h"
 #include "Pictures/PictureSettings.h"
@@ -154,6 +153,35 @@ vtkSmartPointer<vtkVolumeProperty> MakeProperty(double unit, bool isIndependent)
   return property;
 }
 
+vtkSmartPointer<vtkImplicitFlowVolumeMapper> NewMapper(vtkImageData* flow, vtkImageData* paint)
+{
+  auto mapper = vtkSmartPointer<vtkImplicitFlowVolumeMapper>::New();
+  mapper->SetInputData(static_cast<vtkDataSet*>(flow));
+  mapper->SetInflowTexture(vtkImplicitFlowVolumeMapper::ALL, paint);
+  return mapper;
+}
+
+vtkSmartPointer<vtkGPUVolumeRayCastMapper> NewRayCaster(vtkImageData* image, double distance)
+{
+  auto mapper = vtkSmartPointer<vtkGPUVolumeRayCastMapper>::New();
+  mapper->SetInputData(image);
+  mapper->SetBlendModeToComposite();
+  mapper->UseJitteringOff();
+  mapper->AutoAdjustSampleDistancesOff();
+  mapper->SetSampleDistance(static_cast<float>(distance));
+  return mapper;
+}
+
+BenchRow MakeRow(const BenchRows& rows, const std::string& name, const char* method, int n,
+  const BenchSeconds& seconds, const char* peer, const BenchSeconds& peerSeconds)
+{
+  BenchRow row = rows.Make(name, method, n);
+  row.SetTimes(seconds, peer, peerSeconds);
+  row.Set({ { "processor_seconds", seconds.Processor },
+    { "peer_processor_seconds", peerSeconds.Processor } });
+  return row;
+}
+
 void AddRows(
   const std::string& name, int n, int pixels, const BenchOptions& options, BenchRows& rows)
 {
@@ -163,57 +191,35 @@ void AddRows(
   const vtkSmartPointer<vtkImageData> paint = MakePaint();
   std::vector<std::unique_ptr<Frames>> frames;
   std::vector<BenchWork> works;
-  std::array<ProcessorClock, 4> clocks;
   const auto add = [&](vtkVolumeMapper* mapper, bool isIndependent)
   {
     frames.push_back(std::make_unique<Frames>(mapper, MakeProperty(voxel, isIndependent), pixels));
-    works.push_back(
-      clocks[works.size()].Watch([draw = frames.back().get()] { return draw->Draw(); }));
+    works.push_back([draw = frames.back().get()] { return draw->Draw(); });
   };
   std::vector<vtkSmartPointer<vtkImplicitFlowVolumeMapper>> mappers;
   for (const bool isFiltered : { true, false })
   {
-    auto mapper = vtkSmartPointer<vtkImplicitFlowVolumeMapper>::New();
-    mapper->SetInputData(static_cast<vtkDataSet*>(flow));
-    mapper->SetInflowTexture(vtkImplicitFlowVolumeMapper::ALL, paint);
-    mapper->SetSampleDistance(0.5 * voxel);
-    mapper->SetPaintFilter(isFiltered);
-    add(mapper, true);
-    mappers.push_back(mapper);
+    mappers.push_back(NewMapper(flow, paint));
+    mappers.back()->SetSampleDistance(0.5 * voxel);
+    mappers.back()->SetPaintFilter(isFiltered);
+    add(mappers.back(), true);
   }
   for (const bool isIndependent : { true, false })
   {
-    vtkNew<vtkGPUVolumeRayCastMapper> mapper;
-    mapper->SetInputData(four);
-    mapper->SetBlendModeToComposite();
-    mapper->UseJitteringOff();
-    mapper->AutoAdjustSampleDistancesOff();
-    mapper->SetSampleDistance(static_cast<float>(0.5 * voxel));
-    add(mapper, isIndependent);
+    add(NewRayCaster(four, 0.5 * voxel), isIndependent);
   }
   const std::vector<BenchSeconds> seconds = MeasureAlternately(works, options.GetRepeats());
-  std::array<double, 4> processor{};
-  for (std::size_t i = 0; i < clocks.size(); ++i)
-  {
-    processor[i] = clocks[i].Take();
-  }
   const char* methods[] = { "textures", "textures, unfiltered" };
   const char* peers[] = { "gpu", "gpu-rgba" };
   for (std::size_t method = 0; method < 2; ++method)
   {
     for (std::size_t peer = 0; peer < 2; ++peer)
     {
-      BenchRow row = rows.Make(name, methods[method]);
-      row.Parameter = n;
-      row.Seconds = seconds[method];
-      row.Peer = peers[peer];
-      row.PeerSeconds = seconds[2 + peer];
+      BenchRow row =
+        MakeRow(rows, name, methods[method], n, seconds[method], peers[peer], seconds[2 + peer]);
       const vtkImplicitFlowVolumeReport& report = mappers[method]->GetReport();
-      row.Counts["processor_seconds"] = processor[method];
-      row.Counts["peer_processor_seconds"] = processor[2 + peer];
-      row.Counts["texture_bytes"] = report.TextureBytes;
-      row.Counts["split_cells"] = report.SplitCells;
-      row.Counts["pixels"] = pixels;
+      row.Set({ { "texture_bytes", report.TextureBytes }, { "split_cells", report.SplitCells },
+        { "pixels", pixels } });
       rows.Add(row);
     }
   }
@@ -228,63 +234,73 @@ void AddShadowRows(int n, int pixels, const BenchOptions& options, BenchRows& ro
   light->SetLightTypeToSceneLight();
   std::array<std::unique_ptr<Frames>, 3> frames;
   std::array<vtkSmartPointer<vtkImplicitFlowVolumeMapper>, 3> mappers;
-  std::array<ProcessorClock, 3> clocks;
   std::vector<BenchWork> works;
   for (std::size_t i = 0; i < frames.size(); ++i)
   {
-    mappers[i] = vtkSmartPointer<vtkImplicitFlowVolumeMapper>::New();
-    mappers[i]->SetInputData(static_cast<vtkDataSet*>(flow));
-    mappers[i]->SetInflowTexture(vtkImplicitFlowVolumeMapper::ALL, paint);
+    mappers[i] = NewMapper(flow, paint);
     mappers[i]->SetShadows(i > 0);
     frames[i] =
       std::make_unique<Frames>(mappers[i], MakeProperty(flow->GetSpacing()[0], true), pixels);
     frames[i]->Stage.SetLights({ light.Get() });
-    works.push_back(clocks[i].Watch(
+    works.push_back(
       [draw = frames[i].get(), light = light.Get(), isMoving = i == 2, turn = 0.0]() mutable
       {
         turn += isMoving ? 0.02 : 0.0;
         light->SetPosition(std::sin(turn), -2.0, 0.5);
         return draw->Draw();
-      }));
+      });
   }
   const std::vector<BenchSeconds> seconds = MeasureAlternately(works, options.GetRepeats());
-  const std::array<double, 3> processor{ { clocks[0].Take(), clocks[1].Take(), clocks[2].Take() } };
-  const auto add =
-    [&](const std::string& method, std::size_t own, const std::string& peer, std::size_t other)
+  const char* names[] = { "no shadows", "shadows", "shadows, light moving" };
+  for (std::size_t i = 1; i < frames.size(); ++i)
   {
-    BenchRow row = rows.Make("rotation", method);
-    row.Parameter = n;
-    row.Seconds = seconds[own];
-    row.Peer = peer;
-    row.PeerSeconds = seconds[other];
-    const vtkImplicitFlowVolumeReport& report = mappers[own]->GetReport();
-    row.Counts["processor_seconds"] = processor[own];
-    row.Counts["peer_processor_seconds"] = processor[other];
-    row.Counts["slices"] = report.Slices;
-    row.Counts["light_buffer_size"] = report.LightBufferSize;
-    row.Counts["pixels"] = pixels;
+    BenchRow row = MakeRow(rows, "rotation", names[i], n, seconds[i], names[i - 1], seconds[i - 1]);
+    const vtkImplicitFlowVolumeReport& report = mappers[i]->GetReport();
+    row.Set({ { "slices", report.Slices }, { "light_buffer_size", report.LightBufferSize },
+      { "pixels", pixels } });
     rows.Add(row);
-  };
-  add("shadows", 1, "no shadows", 0);
-  add("shadows, light moving", 2, "shadows", 1);
+  }
 }
 
-class SuiteFlowTexture : public BenchSuite
+void AddAllRows(const BenchOptions& options, BenchRows& rows)
 {
-public:
-  std::string GetName() const override { return "flow-texture"; }
-  std::string GetTitle() const override
+  for (const char* name : { "uniform", "rotation", "hurricane" })
   {
-    return "vtkImplicitFlowVolumeMapper: time of a frame beside VTK's ray caster";
+    AddRows(name, options.Pick(128, 48, 12), options.Pick(512, 192, 32), options, rows);
   }
+  AddShadowRows(options.Pick(64, 32, 12), options.Pick(256, 128, 32), options, rows);
+}
 
-  std::vector<std::string> GetDescription() const override
+std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows)
+{
+  const auto ratioTo = [](const std::string& peer, bool isFilteredAlone)
   {
-    return { "Times are those of one frame, off-screen, until OpenGL says it is done; the camera "
-             "turns by half a degree from frame to frame, and all methods take turns, each in a "
-             "window of its own. The parameter is the number of samples along each axis; all have "
-             "a sample each half voxel. The paint is an image of 256 x 256; \"unfiltered\": with "
-             "PaintFilter off.",
+    return [=](const BenchRow& row) -> std::optional<double>
+    {
+      const bool concerned = row.Peer == peer && (!isFilteredAlone || row.Method == "textures");
+      return concerned ? row.GetRatio() : std::nullopt;
+    };
+  };
+  return {
+    BenchClaim::AtLeast("no slower than gpu, textures filtered", 1.0, rows, ratioTo("gpu", true)),
+    BenchClaim::AtLeast(
+      "no slower than gpu-rgba, filtered and unfiltered", 1.0, rows, ratioTo("gpu-rgba", false)),
+  };
+}
+
+std::vector<BenchPlot> MakePlots(const std::vector<BenchRow>& rows)
+{
+  return MakeRatioPlots("flow-texture", "textures", rows);
+}
+}
+
+BenchSuite MakeFlowTextureSuite()
+{
+  return { "flow-texture", "vtkImplicitFlowVolumeMapper: time of a frame beside VTK's ray caster",
+    { "Times are those of one frame, off-screen, until OpenGL says it is done; the camera turns by "
+      "half a degree from frame to frame, and all methods take turns, each in a window of its own. "
+      "The parameter is the number of samples along each axis; all have a sample each half voxel. "
+      "The paint is an image of 256 x 256; \"unfiltered\": with PaintFilter off.",
       "gpu: vtkGPUVolumeRayCastMapper with four independent components of floats (u, v, time and "
       "whether a surface was reached), as VTK draws four components unless it is told otherwise. "
       "gpu-rgba: the same four taken as a colour and an opacity, which is one look at the volume "
@@ -293,43 +309,6 @@ public:
       "enough to end a line of sight before the volume does.",
       "shadows: Shadows on for one directional light, in slices a quarter of a voxel apart, beside "
       "the same picture by lines of sight without (\"no shadows\"); then a light that moves from "
-      "frame to frame beside one that stays. processor_seconds is the time of all threads." };
-  }
-
-  void Run(const BenchOptions& options, BenchRows& rows) const override
-  {
-    for (const char* name : { "uniform", "rotation", "hurricane" })
-    {
-      AddRows(name, options.Pick(128, 48, 12), options.Pick(512, 192, 32), options, rows);
-    }
-    AddShadowRows(options.Pick(64, 32, 12), options.Pick(256, 128, 32), options, rows);
-  }
-
-  std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows) const override
-  {
-    const auto ratioTo = [](const std::string& peer, bool isFilteredAlone)
-    {
-      return [=](const BenchRow& row) -> std::optional<double>
-      {
-        const bool concerned = row.Peer == peer && (!isFilteredAlone || row.Method == "textures");
-        return concerned ? row.GetRatio() : std::nullopt;
-      };
-    };
-    return {
-      BenchClaim::AtLeast("no slower than gpu, textures filtered", 1.0, rows, ratioTo("gpu", true)),
-      BenchClaim::AtLeast(
-        "no slower than gpu-rgba, filtered and unfiltered", 1.0, rows, ratioTo("gpu-rgba", false)),
-    };
-  }
-
-  std::vector<BenchPlot> MakePlots(const std::vector<BenchRow>& rows) const override
-  {
-    return MakeRatioPlots("flow-texture", "textures", rows);
-  }
-};
-}
-
-std::unique_ptr<BenchSuite> MakeFlowTextureSuite()
-{
-  return std::make_unique<SuiteFlowTexture>();
+      "frame to frame beside one that stays. processor_seconds is the time of all threads." },
+    { { AddAllRows, MakePlots, CheckClaims } } };
 }

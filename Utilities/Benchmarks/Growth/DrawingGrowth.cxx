@@ -128,49 +128,35 @@ Job MakeLightsJob(int lights, const BenchOptions& options)
 
 Quantity MakeTetrahedra(const BenchOptions& options, const tetrahedra::RenderPath& path)
 {
-  Quantity made;
-  made.Name = "tetrahedra, " + std::string(path.Name);
-  made.Counted = "tetrahedra";
-  made.Work = "vtkTimeWeightedTetrahedraMapper of a gyroid, a small picture, all threads";
-  made.Sizes =
-    options.Pick<std::vector<int>>({ 14, 20, 28, 40, 56 }, { 8, 12, 16, 20 }, { 3, 4, 6 });
-  made.Time = { 1.0 / 3.0, 1.0,
-    "each tetrahedron is sorted and projected, N; a pixel's ray meets N^(1/3) of them, which "
-    "dominates where pixels outnumber tetrahedra" };
-  made.Memory = { 1.0, 1.0, "each tetrahedron has its place in order, and its faces" };
-  made.Make = [path](int cubes, const BenchOptions& sizes)
-  { return MakeTetrahedraJob(path, cubes, sizes); };
-  return made;
+  return { "tetrahedra, " + std::string(path.Name), "tetrahedra",
+    "vtkTimeWeightedTetrahedraMapper of a gyroid, a small picture, all threads",
+    options.Pick<std::vector<int>>({ 14, 20, 28, 40, 56 }, { 8, 12, 16, 20 }, { 3, 4, 6 }),
+    { 1.0 / 3.0, 1.0,
+      "each tetrahedron is sorted and projected, N; a pixel's ray meets N^(1/3) of them, which "
+      "dominates where pixels outnumber tetrahedra" },
+    { 1.0, 1.0, "each tetrahedron has its place in order, and its faces" },
+    [path](int cubes, const BenchOptions& sizes)
+    { return MakeTetrahedraJob(path, cubes, sizes); } };
 }
 
 Quantity MakeSlices(const BenchOptions& options)
 {
-  Quantity made;
-  made.Name = "slices";
-  made.Counted = "slices drawn";
-  made.Work = "vtkShadowedSliceMapper of a sphere of haze, one light, all threads";
-  made.Sizes = options.Pick<std::vector<int>>(
-    { 64, 128, 256, 512, 1024 }, { 32, 64, 128, 256 }, { 8, 16, 32 });
-  made.Time = { 1.0, 1.0,
-    "each slice is drawn once into the picture and once into the light's buffer; what a picture "
-    "takes besides is a constant" };
-  made.Memory = { 0.0, 0.0, "picture and buffer are drawn over; slices are not kept" };
-  made.Make = MakeSlicesJob;
-  return made;
+  return { "slices", "slices drawn",
+    "vtkShadowedSliceMapper of a sphere of haze, one light, all threads",
+    options.Pick<std::vector<int>>(
+      { 64, 128, 256, 512, 1024 }, { 32, 64, 128, 256 }, { 8, 16, 32 }),
+    { 1.0, 1.0,
+      "each slice is drawn once into the picture and once into the light's buffer; what a picture "
+      "takes besides is a constant" },
+    { 0.0, 0.0, "picture and buffer are drawn over; slices are not kept" }, MakeSlicesJob };
 }
 
 Quantity MakeLights(const BenchOptions& options)
 {
-  Quantity made;
-  made.Name = "lights";
-  made.Counted = "lights that cast shadows";
-  made.Work = "vtkShadowedSliceMapper of a sphere of haze, over the same lights without shadows, "
-              "all threads";
-  made.Sizes =
-    options.Size == BenchOptions::TINY ? std::vector<int>{ 1, 2 } : std::vector<int>{ 1, 2, 4, 8 };
-  made.Time = { 1.0, 1.0, "each light has its own buffer, drawn once a slice" };
-  made.Memory = { 1.0, 1.0, "each light has a buffer of the same size" };
-  made.Make = MakeLightsJob;
-  return made;
+  return { "lights", "lights that cast shadows",
+    "vtkShadowedSliceMapper of a sphere of haze, over the same lights without shadows, all threads",
+    options.Size == BenchOptions::TINY ? std::vector<int>{ 1, 2 } : std::vector<int>{ 1, 2, 4, 8 },
+    { 1.0, 1.0, "each light has its own buffer, drawn once a slice" },
+    { 1.0, 1.0, "each light has a buffer of the same size" }, MakeLightsJob };
 }
 }

@@ -34,38 +34,32 @@ std::vector<int> GetPoints(const BenchOptions& options)
 
 Quantity MakeCells(const BenchOptions& options)
 {
-  Quantity made;
-  made.Name = "cells";
-  made.Counted = "cells";
-  made.Work = "vtkIntervalVolume of a wavelet, the interval the same at every resolution, 1 thread";
-  made.Sizes = GetPoints(options);
-  made.Time = { 2.0 / 3.0, 1.0,
-    "N to classify the cells and to fill the inside, N^(2/3) at the surfaces, where a cell takes "
-    "most; N dominates in the end" };
-  made.Memory = { 2.0 / 3.0, 1.0,
-    "tetrahedra fill a constant share of the volume, N, and N^(2/3) more are at the surfaces" };
-  made.Make = [](int points, const BenchOptions&)
-  { return MakeJob(MakeWavelet(points), 1, ExtractVolume); };
-  return made;
+  return { "cells", "cells",
+    "vtkIntervalVolume of a wavelet, the interval the same at every resolution, 1 thread",
+    GetPoints(options),
+    { 2.0 / 3.0, 1.0,
+      "N to classify the cells and to fill the inside, N^(2/3) at the surfaces, where a cell takes "
+      "most; N dominates in the end" },
+    { 2.0 / 3.0, 1.0,
+      "tetrahedra fill a constant share of the volume, N, and N^(2/3) more are at the surfaces" },
+    [](int points, const BenchOptions&)
+    { return MakeJob(MakeWavelet(points), 1, ExtractVolume); } };
 }
 
 Quantity MakeContour(const BenchOptions& options)
 {
-  Quantity made;
-  made.Name = "cells of a contour";
-  made.Counted = "cells";
-  made.Work = "vtkIsotableContour of one value of a wavelet, 1 thread";
-  made.Sizes = GetPoints(options);
-  made.Time = { 2.0 / 3.0, 1.0,
-    "N to classify the cells, N^(2/3) to make the triangles of those that the surface meets: which "
-    "dominates depends on the size" };
-  made.Memory = { 2.0 / 3.0, 2.0 / 3.0, "the surface meets N^(2/3) cells" };
-  made.Make = [](int points, const BenchOptions&)
-  {
-    return MakeJob(MakeWavelet(points), 1,
-      [](const BenchData& data) { return methods::IsotableContour(data.Data, data.Lower, true); });
-  };
-  return made;
+  return { "cells of a contour", "cells", "vtkIsotableContour of one value of a wavelet, 1 thread",
+    GetPoints(options),
+    { 2.0 / 3.0, 1.0,
+      "N to classify the cells, N^(2/3) to make the triangles of those that the surface meets: "
+      "which dominates depends on the size" },
+    { 2.0 / 3.0, 2.0 / 3.0, "the surface meets N^(2/3) cells" },
+    [](int points, const BenchOptions&)
+    {
+      return MakeJob(MakeWavelet(points), 1,
+        [](const BenchData& data)
+        { return methods::IsotableContour(data.Data, data.Lower, true); });
+    } };
 }
 
 Quantity MakeThreads(const BenchOptions& options)

@@ -40,15 +40,9 @@ Job MakeJob(int samples, const BenchOptions& options)
 
 Quantity MakeSamples(const BenchOptions& options)
 {
-  Quantity made;
-  made.Name = "samples";
-  made.Counted = "samples";
-  made.Work = "vtkImplicitFlowField of a hurricane on one grid, all threads";
-  made.Sizes =
-    options.Pick<std::vector<int>>({ 24, 32, 48, 64, 80 }, { 16, 24, 32, 48 }, { 5, 7, 9 });
-  made.Time = { 1.0, 1.0, "each sample has a streamline of its own, of the same mean length" };
-  made.Memory = { 1.0, 1.0, "each sample has its answer in the output" };
-  made.Make = MakeJob;
-  return made;
+  return { "samples", "samples", "vtkImplicitFlowField of a hurricane on one grid, all threads",
+    options.Pick<std::vector<int>>({ 24, 32, 48, 64, 80 }, { 16, 24, 32, 48 }, { 5, 7, 9 }),
+    { 1.0, 1.0, "each sample has a streamline of its own, of the same mean length" },
+    { 1.0, 1.0, "each sample has its answer in the output" }, MakeJob };
 }
 }

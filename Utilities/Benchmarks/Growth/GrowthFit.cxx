@@ -78,13 +78,10 @@ void AddExponent(
     return;
   }
   const auto range = std::minmax_element(points.N.begin(), points.N.end());
-  BenchRow row = rows.Make(name, measure.Method);
-  row.Parameter = theory.Reason;
-  row.Counts["exponent"] = FitExponent(points.N, points.Cost);
-  row.Counts["least"] = theory.Least;
-  row.Counts["most"] = theory.Most;
-  row.Counts["sizes"] = points.N.size();
-  row.Counts["factor"] = *range.second / *range.first;
+  BenchRow row = rows.Make(name, measure.Method, theory.Reason);
+  row.Set({ { "exponent", FitExponent(points.N, points.Cost) }, { "least", theory.Least },
+    { "most", theory.Most }, { "sizes", points.N.size() },
+    { "factor", *range.second / *range.first } });
   rows.Add(row);
 }
 
@@ -165,15 +162,13 @@ std::vector<BenchPlot> MakeGrowthPlots(
   std::vector<BenchPlot> plots;
   for (const Quantity& quantity : quantities)
   {
-    BenchPlot plot;
-    plot.Name = "growth-" + quantity.Name;
+    std::string name = "growth-" + quantity.Name;
     std::replace_if(
-      plot.Name.begin(), plot.Name.end(), [](char c) { return c == ' ' || c == ','; }, '-');
-    plot.Title = quantity.Name + ": processor time and peak of memory over the input";
-    plot.XLabel = quantity.Counted;
-    plot.YLabel = "processor time (s), memory (MiB)";
-    plot.LogX = true;
-    plot.LogY = true;
+      name.begin(), name.end(), [](char c) { return c == ' ' || c == ','; }, '-');
+    BenchPlot plot = BenchPlot::OfErrors(name,
+      quantity.Name + ": processor time and peak of memory over the input", quantity.Counted,
+      "processor time (s), memory (MiB)");
+    plot.HasFront = false;
     for (const BenchRow& row : rows)
     {
       if (row.Case == quantity.Name && row.Method == OfTime.Method)
@@ -185,10 +180,7 @@ std::vector<BenchPlot> MakeGrowthPlots(
         AddLines(row, OfMemory, 1.0 / 1024.0, "MiB", rows, plot);
       }
     }
-    if (!plot.AllSeries.empty())
-    {
-      plots.push_back(plot);
-    }
+    plots.push_back(plot);
   }
   return plots;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Growth/GrowthMeasure.h"
 
-#include "Benchmarks/Measures/ProcessorClock.h"
 #include "Benchmarks/Measures/ResidentMemory.h"
 
 namespace growth
@@ -51,23 +50,21 @@ nlohmann::ordered_json MeasureSize(const Quantity& quantity, int size, const Ben
   {
     found["kib"] = *kib;
   }
-  ProcessorClock clock;
-  ProcessorClock withoutClock;
-  std::vector<BenchWork> works = { clock.Watch(GetTimed(job.Measured)) };
+  std::vector<BenchWork> works = { GetTimed(job.Measured) };
   if (job.Without)
   {
     job.Without->Fresh();
-    works.push_back(withoutClock.Watch(GetTimed(*job.Without)));
+    works.push_back(GetTimed(*job.Without));
   }
   const std::vector<BenchSeconds> seconds = MeasureAlternately(works, options.GetRepeats());
   found["n"] = job.GetN();
   found["input_kib"] = job.InputKib;
   found["seconds"] = seconds.front().Value;
-  found["processor_seconds"] = clock.Take().Value;
+  found["processor_seconds"] = seconds.front().Processor;
   if (job.Without)
   {
     found["without_seconds"] = seconds.back().Value;
-    found["without_processor_seconds"] = withoutClock.Take().Value;
+    found["without_processor_seconds"] = seconds.back().Processor;
   }
   return found;
 }
@@ -75,16 +72,14 @@ nlohmann::ordered_json MeasureSize(const Quantity& quantity, int size, const Ben
 BenchRow MakeSizeRow(const BenchRows& rows, const Quantity& quantity,
   const nlohmann::ordered_json& found, const BenchOptions& options)
 {
-  BenchRow row = rows.Make(quantity.Name, SizeMethod);
-  row.Parameter = found.at("n");
+  BenchRow row = rows.Make(quantity.Name, SizeMethod, found.at("n"));
   row.Seconds = { found.at("seconds").get<double>(), options.GetRepeats() };
   if (found.contains("without_seconds"))
   {
     row.Peer = "without";
     row.PeerSeconds = { found["without_seconds"].get<double>(), options.GetRepeats() };
   }
-  row.Counts["n"] = found["n"];
-  row.Counts["input_kib"] = found["input_kib"];
+  row.Set({ { "n", found["n"] }, { "input_kib", found["input_kib"] } });
   if (found.contains("kib"))
   {
     row.Counts["kib"] = found["kib"].get<long>() - found.value("without_kib", 0L);

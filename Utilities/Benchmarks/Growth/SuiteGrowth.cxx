@@ -4,6 +4,8 @@
 #include "Benchmarks/Growth/GrowthQuantity.h"
 #include "Benchmarks/Suites/BenchSuites.h"
 
+#include <stdexcept>
+
 namespace growth
 {
 std::vector<Quantity> MakeQuantities(const BenchOptions& options)
@@ -24,23 +26,9 @@ std::vector<Quantity> MakeQuantities(const BenchOptions& options)
 
 namespace
 {
-class SuiteGrowth : public BenchSuite
-{
-public:
-  std::string GetName() const override { return "growth"; }
-  std::string GetTitle() const override
-  {
-    return "Run time and memory against N: fitted exponents beside theory's";
-  }
-  std::vector<std::string> GetDescription() const override;
-  void Run(const BenchOptions& options, BenchRows& rows) const override;
-  std::vector<BenchPlot> MakePlots(const std::vector<BenchRow>& rows) const override;
-  std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows) const override;
-  nlohmann::ordered_json RunTask(
-    const std::string& task, const BenchOptions& options) const override;
-};
+const char* const Task = "size";
 
-std::vector<std::string> SuiteGrowth::GetDescription() const
+std::vector<std::string> Describe()
 {
   std::vector<std::string> text = {
     "growth: each size in a process of its own. The parameter is N; seconds are of executions by "
@@ -60,45 +48,41 @@ std::vector<std::string> SuiteGrowth::GetDescription() const
   return text;
 }
 
-void SuiteGrowth::Run(const BenchOptions& options, BenchRows& rows) const
+void AddRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const growth::Quantity& quantity : growth::MakeQuantities(options))
   {
     for (const int size : quantity.Sizes)
     {
-      const auto found = this->RunChild(std::to_string(size) + " " + quantity.Name, options);
-      rows.Add(growth::MakeSizeRow(rows, quantity, found, options));
+      const std::string task = Task + (" " + std::to_string(size) + " " + quantity.Name);
+      rows.Add(growth::MakeSizeRow(rows, quantity, RunChild("growth", task, options), options));
     }
     growth::AddExponentRows(quantity, rows);
   }
 }
 
-nlohmann::ordered_json SuiteGrowth::RunTask(
-  const std::string& task, const BenchOptions& options) const
+/// \a argument is a size and the name of a quantity.
+nlohmann::ordered_json MeasureSize(const std::string& argument, const BenchOptions& options)
 {
-  const std::size_t space = task.find(' ');
+  const std::size_t space = argument.find(' ');
   for (const growth::Quantity& quantity : growth::MakeQuantities(options))
   {
-    if (space != std::string::npos && task.substr(space + 1) == quantity.Name)
+    if (space != std::string::npos && argument.substr(space + 1) == quantity.Name)
     {
-      return growth::MeasureSize(quantity, std::stoi(task.substr(0, space)), options);
+      return growth::MeasureSize(quantity, std::stoi(argument), options);
     }
   }
-  return this->BenchSuite::RunTask(task, options);
+  throw std::runtime_error("there is no quantity " + argument);
 }
 
-std::vector<BenchPlot> SuiteGrowth::MakePlots(const std::vector<BenchRow>& rows) const
+std::vector<BenchPlot> MakePlots(const std::vector<BenchRow>& rows)
 {
   return growth::MakeGrowthPlots(growth::MakeQuantities(BenchOptions()), rows);
 }
-
-std::vector<BenchClaim> SuiteGrowth::CheckClaims(const std::vector<BenchRow>& rows) const
-{
-  return growth::CheckExponents(rows);
-}
 }
 
-std::unique_ptr<BenchSuite> MakeGrowthSuite()
+BenchSuite MakeGrowthSuite()
 {
-  return std::make_unique<SuiteGrowth>();
+  return { "growth", "Run time and memory against N: fitted exponents beside theory's", Describe(),
+    { { AddRows, MakePlots, growth::CheckExponents, { { Task, MeasureSize } } } } };
 }

@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Growth/GrowthQuantity.h"
 
+#include "Benchmarks/Measures/TemporaryFolder.h"
 #include "Benchmarks/SpaceTime/VortexShares.h"
 
 #include "vtkAnalyticFieldSource.h"
 #include "vtkTimeSlabWriter.h"
 #include "vtkTimeVaryingIntervalVolume.h"
 
-#include <filesystem>
 #include <memory>
-#include <random>
 #include <stdexcept>
 
 namespace growth
 {
 namespace
 {
-namespace files = std::filesystem;
-
 constexpr double Lower = 0.0;
 constexpr double Upper = 0.3;
 
@@ -73,37 +70,9 @@ int GetPointsOfSlabs(const BenchOptions& options)
   return options.Pick(21, 17, 9);
 }
 
-/// A folder of its own that goes when this does.
-class TemporaryFolder
-{
-public:
-  TemporaryFolder()
-    : Path(files::temp_directory_path() /
-        ("interlume-bench-growth-" + std::to_string(std::random_device()())))
-  {
-    this->Clear();
-  }
-  ~TemporaryFolder()
-  {
-    std::error_code ignored;
-    files::remove_all(this->Path, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  /// Otherwise the writer takes over what it finds.
-  void Clear() const
-  {
-    files::remove_all(this->Path);
-    files::create_directories(this->Path);
-  }
-
-  const files::path Path;
-};
-
 Job MakeWriterJob(int points, int slabs)
 {
-  const auto folder = std::make_shared<TemporaryFolder>();
+  const auto folder = std::make_shared<TemporaryFolder>("interlume-bench-growth");
   Job job;
   job.Measured.Fresh = WithThreads(1,
     [folder, points, slabs]()
@@ -127,80 +96,60 @@ Job MakeWriterJob(int points, int slabs)
 
 Quantity MakeSimplices(const BenchOptions& options)
 {
-  Quantity made;
-  made.Name = "4-simplices";
-  made.Counted = "4-simplices";
-  made.Work =
+  return { "4-simplices", "4-simplices",
     "vtkTimeVaryingIntervalVolume of two steps of the field VORTEX on one grid, the interval "
-    "growing, 1 thread";
-  made.Sizes =
-    options.Pick<std::vector<int>>({ 10, 20, 40, 80, 160 }, { 10, 20, 40, 80, 160 }, { 20, 60 });
-  made.Time = { 1.0, 1.0,
-    "each 4-simplex is projected and cut by itself; classifying the cells is a constant that is "
-    "less" };
-  made.Memory = { 1.0, 1.0, "the tetrahedra of each 4-simplex are in the output" };
-  made.Make = [](int thousandths, const BenchOptions& sizes)
-  {
-    interval4d::VortexShares vortex(sizes.Pick(65, 33, 13));
-    vortex.SetShare(0.001 * thousandths);
-    return MakeJob(vortex.Get(), std::nullopt);
-  };
-  return made;
+    "growing, 1 thread",
+    options.Pick<std::vector<int>>({ 10, 20, 40, 80, 160 }, { 10, 20, 40, 80, 160 }, { 20, 60 }),
+    { 1.0, 1.0,
+      "each 4-simplex is projected and cut by itself; classifying the cells is a constant that is "
+      "less" },
+    { 1.0, 1.0, "the tetrahedra of each 4-simplex are in the output" },
+    [](int thousandths, const BenchOptions& sizes)
+    {
+      interval4d::VortexShares vortex(sizes.Pick(65, 33, 13));
+      vortex.SetShare(0.001 * thousandths);
+      return MakeJob(vortex.Get(), std::nullopt);
+    } };
 }
 
 Quantity MakeCellsInTime(const BenchOptions& options)
 {
-  Quantity made;
-  made.Name = "cells in time";
-  made.Counted = "cells";
-  made.Work = "vtkTimeVaryingIntervalVolume of two steps of a gyroid, the interval the same at "
-              "every resolution, 1 thread";
-  made.Sizes =
-    options.Pick<std::vector<int>>({ 17, 25, 33, 49, 65 }, { 9, 13, 17, 25 }, { 7, 9, 13 });
-  made.Time = { 2.0 / 3.0, 1.0,
-    "N to classify the cells and to fill the inside, N^(2/3) at the surfaces, where a cell has "
-    "most "
-    "4-simplices; N dominates in the end" };
-  made.Memory = {
-    2.0 / 3.0, 1.0,
-    "4-simplices fill a constant share of space and time, N, and N^(2/3) more are at the surfaces"
-  };
-  made.Make = [](int points, const BenchOptions&)
-  {
-    const interval4d::Case gyroid = KeepGyroid(points, 1);
-    return MakeJob(gyroid, static_cast<double>(gyroid.GetNumberOfCells()));
-  };
-  return made;
+  return { "cells in time", "cells",
+    "vtkTimeVaryingIntervalVolume of two steps of a gyroid, the interval the same at every "
+    "resolution, 1 thread",
+    options.Pick<std::vector<int>>({ 17, 25, 33, 49, 65 }, { 9, 13, 17, 25 }, { 7, 9, 13 }),
+    { 2.0 / 3.0, 1.0,
+      "N to classify the cells and to fill the inside, N^(2/3) at the surfaces, where a cell has "
+      "most 4-simplices; N dominates in the end" },
+    { 2.0 / 3.0, 1.0,
+      "4-simplices fill a constant share of space and time, N, and N^(2/3) more are at the "
+      "surfaces" },
+    [](int points, const BenchOptions&)
+    {
+      const interval4d::Case gyroid = KeepGyroid(points, 1);
+      return MakeJob(gyroid, static_cast<double>(gyroid.GetNumberOfCells()));
+    } };
 }
 
 Quantity MakeSteps(const BenchOptions& options)
 {
-  Quantity made;
-  made.Name = "time steps";
-  made.Counted = "slabs between time steps";
-  made.Work =
+  return { "time steps", "slabs between time steps",
     "vtkTimeVaryingIntervalVolume of a gyroid that moves, all slabs in one output, steps in "
-    "memory, 1 thread";
-  made.Sizes = GetSlabs(options);
-  made.Time = { 1.0, 1.0, "each slab is extracted by itself, and has as much in it" };
-  made.Memory = { 1.0, 1.0, "the output holds every slab; of the steps, two are at work" };
-  made.Make = [](int slabs, const BenchOptions& sizes)
-  { return MakeJob(KeepGyroid(GetPointsOfSlabs(sizes), slabs), slabs); };
-  return made;
+    "memory, 1 thread",
+    GetSlabs(options), { 1.0, 1.0, "each slab is extracted by itself, and has as much in it" },
+    { 1.0, 1.0, "the output holds every slab; of the steps, two are at work" },
+    [](int slabs, const BenchOptions& sizes)
+    { return MakeJob(KeepGyroid(GetPointsOfSlabs(sizes), slabs), slabs); } };
 }
 
 Quantity MakeWrittenSteps(const BenchOptions& options)
 {
-  Quantity made;
-  made.Name = "time steps, written slab by slab";
-  made.Counted = "slabs between time steps";
-  made.Work = "vtkTimeSlabWriter of the same slabs, each step made when it is asked for and in the "
-              "memory that is measured, 1 thread";
-  made.Sizes = GetSlabs(options);
-  made.Time = { 1.0, 1.0, "each slab is extracted and written by itself" };
-  made.Memory = { 0.0, 0.0, "two steps and one slab are held at a time" };
-  made.Make = [](int slabs, const BenchOptions& sizes)
-  { return MakeWriterJob(GetPointsOfSlabs(sizes), slabs); };
-  return made;
+  return { "time steps, written slab by slab", "slabs between time steps",
+    "vtkTimeSlabWriter of the same slabs, each step made when it is asked for and in the memory "
+    "that is measured, 1 thread",
+    GetSlabs(options), { 1.0, 1.0, "each slab is extracted and written by itself" },
+    { 0.0, 0.0, "two steps and one slab are held at a time" },
+    [](int slabs, const BenchOptions& sizes)
+    { return MakeWriterJob(GetPointsOfSlabs(sizes), slabs); } };
 }
 }

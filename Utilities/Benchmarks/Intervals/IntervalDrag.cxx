@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Intervals/IntervalDrag.h"
+#include "Benchmarks/Intervals/IntervalParts.h"
 
 #include "Benchmarks/Data/BenchData.h"
 #include "Benchmarks/Intervals/ExtractionMethods.h"
@@ -190,18 +190,14 @@ void AddDragRow(const DragCase& one, const DragPlace& place, bool isTied, int th
 
   const vtkExtractionReport& report = kept.Filter->GetReport();
   const vtkIdType changed = CountCells(one.Image, first + step, first + 2 * step);
-  BenchRow row = rows.Make(one.Name + "-" + place.Name, isTied ? "drag-tied" : "drag");
-  row.Parameter = ThreadsParameter(threads);
+  BenchRow row = rows.Make(
+    one.Name + "-" + place.Name, isTied ? "drag-tied" : "drag", ThreadsParameter(threads));
   row.Seconds = seconds[0];
-  row.Counts["threads"] = threads;
-  row.Counts["cells"] = report.Cells;
-  row.Counts["changed"] = changed;
-  row.Counts["share"] = static_cast<double>(changed) / static_cast<double>(report.Cells);
-  row.Counts["with_output"] = report.CellsWithOutput;
-  row.Counts["tetrahedra"] = kept.Filter->GetOutput()->GetNumberOfCells();
-  row.Counts["output_kib"] = kib;
-  row.Counts["reused_kib"] = report.ReusedBytes / 1024;
-  row.Counts["idle_kib"] = report.IdleBytes / 1024;
+  row.Set({ { "threads", threads }, { "cells", report.Cells }, { "changed", changed },
+    { "share", static_cast<double>(changed) / static_cast<double>(report.Cells) },
+    { "with_output", report.CellsWithOutput },
+    { "tetrahedra", kept.Filter->GetOutput()->GetNumberOfCells() }, { "output_kib", kib },
+    { "reused_kib", report.ReusedBytes / 1024 }, { "idle_kib", report.IdleBytes / 1024 } });
   const std::pair<const char*, BenchSeconds> peers[] = { { "new-memory", seconds[1] },
     { "copy", seconds[2] } };
   for (const auto& peer : peers)
@@ -211,8 +207,15 @@ void AddDragRow(const DragCase& one, const DragPlace& place, bool isTied, int th
     rows.Add(row);
   }
 }
-}
 
+/**
+ * Methods `drag` and, with bounds that equal values of the data, `drag-tied`: the lower bound of an
+ * interval up to the end of the range of values goes on by a two hundredth of the range, low, in
+ * the middle and high in it, with KeepMemory, by one thread and by all; against the peers
+ * `new-memory`, the same without, and `copy`, which copies as many bytes as the output has between
+ * memory that is there. Counts: `changed`, the cells that the bound passes through between two
+ * updates, and `share`, their share; the size of the output; what is used again and held.
+ */
 void AddDragRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const DragCase& one : MakeCases(options))
@@ -228,5 +231,23 @@ void AddDragRows(const BenchOptions& options, BenchRows& rows)
       }
     }
   }
+}
+}
+
+BenchPart MakeDragPart()
+{
+  const auto dragged = [](const BenchRow& row)
+  {
+    const bool counts = row.Method.rfind("drag", 0) == 0 && row.Peer == "copy" &&
+      row.Counts.value("threads", 1) > 1 && row.Counts.value("share", 1.0) < 0.1;
+    return counts ? std::optional<double>(*row.Seconds) : std::nullopt;
+  };
+  const auto check = [dragged](const std::vector<BenchRow>& rows) -> std::vector<BenchClaim>
+  {
+    return { BenchClaim::AtMost("2 threads, a dragged bound, where less than a tenth of the cells "
+                                "changes: at most 0.1 s an update",
+      0.1, rows, dragged) };
+  };
+  return { AddDragRows, nullptr, check };
 }
 }

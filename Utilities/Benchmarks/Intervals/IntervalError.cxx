@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Intervals/IntervalError.h"
+#include "Benchmarks/Intervals/IntervalParts.h"
 
 #include "Benchmarks/Data/AnalyticCases.h"
 #include "Benchmarks/Data/BenchData.h"
@@ -134,7 +134,7 @@ std::vector<BenchSeconds> TimeMethods(
   return MeasureAlternately(works, options.GetRepeats());
 }
 
-void AddErrorRows(
+void AddRowsOf(
   const AnalyticCase& analytic, int points, const BenchOptions& options, BenchRows& rows)
 {
   auto image = analytic.Sample(points);
@@ -152,25 +152,22 @@ void AddErrorRows(
       SurfaceDistance(result.Boundary, region, analytic.Lower, analytic.Upper) /
       (analytic.High - analytic.Low);
 
-    BenchRow row = rows.Make(analytic.Name, method.Name);
-    row.Parameter = points;
+    BenchRow row = rows.Make(analytic.Name, method.Name, points);
     row.Seconds = seconds[i];
     if (!method.IsClip)
     {
       row.Peer = "clip2";
       row.PeerSeconds = seconds.back();
     }
-    row.Counts["threads"] = 1;
-    row.Counts["cells"] = method.Data->GetNumberOfCells();
-    row.Counts["tetrahedra"] = sums.Tetrahedra;
+    row.Set({ { "threads", 1 }, { "cells", method.Data->GetNumberOfCells() },
+      { "tetrahedra", sums.Tetrahedra } });
     if (method.SplitSeconds > 0.0)
     {
       row.Counts["split_seconds"] = method.SplitSeconds;
     }
     auto addNorm = [&](const char* norm, double error)
     {
-      row.ErrorNorm = norm;
-      row.Error = error;
+      row.SetError(norm, error);
       rows.Add(row);
     };
     addNorm(VolumeNorm, std::abs(volume - exact) / exact);
@@ -187,26 +184,32 @@ BenchPlot MakeErrorPlot(const std::string& theCase, const char* norm, const std:
 {
   BenchPlot plot = BenchPlot::OfErrors("interval-" + theCase + "-" + name,
     theCase + ": error against run time as the grid gets finer, 1 thread", "run time (s)",
-    std::string("error: ") + norm);
-  plot.Question = "Are tables of hexahedra worth their time for the " + name +
-    " of an interval volume (" + theCase + ")?";
-  plot.Conditions = "vtkIntervalVolume on hexahedra and on their splits into tetrahedra, "
-                    "vtkClipDataSet twice as the peer; points along an edge of the grid at each "
-                    "point. Ringed: hexahedra on the finest grid.";
+    std::string("error: ") + norm,
+    "Are tables of hexahedra worth their time for the " + name + " of an interval volume (" +
+      theCase + ")?",
+    "vtkIntervalVolume on hexahedra and on their splits into tetrahedra, vtkClipDataSet twice as "
+    "the peer; points along an edge of the grid at each point. Ringed: hexahedra on the finest "
+    "grid.");
   for (const BenchRow& row : rows)
   {
-    // An error of nothing has no place on a logarithmic axis.
-    if (row.Case == theCase && row.ErrorNorm == norm && *row.Error > 0.0)
+    if (row.Case == theCase && row.ErrorNorm == norm)
     {
-      plot.AddPoint(
-        row.Method, row.Method == "clip2", *row.Seconds, *row.Error, row.GetParameterText());
+      plot.AddRow(row, row.Method == "clip2");
     }
   }
   plot.SetDefault("hexahedra");
   return plot;
 }
-}
 
+/**
+ * Methods `hexahedra` (image data, as it is), `hexahedra-unstructured`, `tetrahedra-5`, `-6`, `-24`
+ * (the cells split beforehand; the time to split is `split_seconds`) and `clip2`, on the analytic
+ * cases. The parameter is the number of points along an axis. One row for each norm:
+ * - `volume, relative`: of the volume of the exact trilinear region;
+ * - `surface distance, rms, share of the domain's edge`: from the result's boundary inside the
+ * domain to the exact trilinear surface;
+ * - `volume, relative, with sampling`: of the volume of the analytic region, where it is known.
+ */
 void AddErrorRows(const BenchOptions& options, BenchRows& rows)
 {
   const std::vector<int> resolutions =
@@ -215,7 +218,7 @@ void AddErrorRows(const BenchOptions& options, BenchRows& rows)
   {
     for (int points : resolutions)
     {
-      AddErrorRows(analytic, points, options, rows);
+      AddRowsOf(analytic, points, options, rows);
     }
   }
 }
@@ -229,5 +232,11 @@ std::vector<BenchPlot> MakeErrorPlots(const std::vector<BenchRow>& rows)
     plots.push_back(MakeErrorPlot(analytic.Name, SurfaceNorm, "surface", rows));
   }
   return plots;
+}
+}
+
+BenchPart MakeErrorPart()
+{
+  return { AddErrorRows, MakeErrorPlots };
 }
 }

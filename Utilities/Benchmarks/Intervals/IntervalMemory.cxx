@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Intervals/IntervalMemory.h"
+#include "Benchmarks/Intervals/IntervalParts.h"
 
 #include "Benchmarks/Data/BenchData.h"
 #include "Benchmarks/Intervals/ExtractionMethods.h"
@@ -16,6 +16,11 @@ namespace interval
 {
 namespace
 {
+const char* const MemoryTask = "memory";
+const char* const HexahedraTask = "memory-hexahedra";
+const char* const FirstUseTask = "first-use";
+const char* const Cold = "cold";
+
 /// Loads the code and fills the tables for hexahedra in image data and in unstructured grids.
 void UseOnce()
 {
@@ -24,8 +29,13 @@ void UseOnce()
   const BenchData cells = MakeRandomCells(VTK_HEXAHEDRON, 1000, 1);
   methods::IntervalVolume(cells.Data, cells.Lower, cells.Upper);
 }
-}
 
+/**
+ * What one extraction of the case takes, in KiB: `input_kib` and `output_kib`, the data's own
+ * sizes; `working_kib`, as the filter reports; `peak_kib`, the input and the largest growth of the
+ * resident memory of this process; `first_use_kib`, what tables and code took before. The last two
+ * are absent if the system cannot tell.
+ */
 nlohmann::ordered_json MeasureMemory(
   const std::string& theCase, bool asHexahedra, const BenchOptions& options)
 {
@@ -56,14 +66,94 @@ nlohmann::ordered_json MeasureMemory(
   return json;
 }
 
-nlohmann::ordered_json MeasureFirstUse(int cellType, const BenchOptions& options)
+/// Seconds of the first extraction in this process, `cold`, and of a second one, `warm`, of random
+/// cells of a VTK type.
+nlohmann::ordered_json MeasureFirstUse(const std::string& cellType, const BenchOptions& options)
 {
-  const BenchData data = MakeRandomCells(cellType, options.Pick(2000, 2000, 50), options.Seed);
+  const BenchData data =
+    MakeRandomCells(std::stoi(cellType), options.Pick(2000, 2000, 50), options.Seed);
   const BenchWork work = [&data]()
   { return methods::IntervalVolume(data.Data, data.Lower, data.Upper); };
   nlohmann::ordered_json json;
   json["cold"] = TimeOnce(work).Value;
   json["warm"] = TimeOnce(work).Value;
   return json;
+}
+
+/// Memory of every case, structured and as unstructured hexahedra.
+void AddMemoryRows(const BenchOptions& options, BenchRows& rows)
+{
+  for (const BenchData& data : MakeSpeedCases(options))
+  {
+    const bool isGrid = data.Data->IsA("vtkUnstructuredGrid");
+    for (const char* task : { MemoryTask, HexahedraTask })
+    {
+      if (isGrid && task == HexahedraTask)
+      {
+        continue;
+      }
+      BenchRow row = rows.Make(
+        data.Case, "memory", isGrid || task == HexahedraTask ? "unstructured" : "structured");
+      row.Counts = RunChild("interval", std::string(task) + " " + data.Case, options);
+      if (row.Counts.contains("peak_kib"))
+      {
+        const double growth =
+          row.Counts["peak_kib"].get<double>() - row.Counts["input_kib"].get<double>();
+        row.Counts["peak_share"] = growth / row.Counts["output_kib"].get<double>();
+      }
+      rows.Add(row);
+    }
+  }
+}
+
+void AddFirstUseRows(const BenchOptions& options, BenchRows& rows)
+{
+  for (int type : { VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON })
+  {
+    std::vector<double> cold;
+    std::vector<double> warm;
+    for (int repeat = 0; repeat < options.GetRepeats(); ++repeat)
+    {
+      const nlohmann::ordered_json seconds =
+        RunChild("interval", std::string(FirstUseTask) + " " + std::to_string(type), options);
+      cold.push_back(seconds.at("cold"));
+      warm.push_back(seconds.at("warm"));
+    }
+    BenchRow row = rows.Make(MakeRandomCells(type, 0, options.Seed).Case, Cold);
+    row.SetTimes(MedianOf(cold), "warm", MedianOf(warm));
+    rows.Add(row);
+  }
+}
+
+std::vector<BenchClaim> CheckMemoryClaims(const std::vector<BenchRow>& rows)
+{
+  const auto ofFirstUse = [](const BenchRow& row)
+  {
+    return row.Method == Cold ? std::optional<double>(*row.Seconds - *row.PeerSeconds)
+                              : std::nullopt;
+  };
+  return { BenchClaim::AtMost(
+             "the first extraction in a process: at most 0.03 s more than the second", 0.03, rows,
+             ofFirstUse),
+    BenchClaim::AtMost("peak memory at most the input and 1.5 times the output", 1.5, rows,
+      CountOf("memory", "peak_share")) };
+}
+}
+
+BenchPart MakeMemoryPart()
+{
+  return { [](const BenchOptions& options, BenchRows& rows)
+    {
+      AddMemoryRows(options, rows);
+      AddFirstUseRows(options, rows);
+    },
+    nullptr, CheckMemoryClaims,
+    { { MemoryTask,
+        [](const std::string& name, const BenchOptions& options)
+        { return MeasureMemory(name, false, options); } },
+      { HexahedraTask,
+        [](const std::string& name, const BenchOptions& options)
+        { return MeasureMemory(name, true, options); } },
+      { FirstUseTask, MeasureFirstUse } } };
 }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Intervals/IntervalOrientation.h"
+#include "Benchmarks/Intervals/IntervalParts.h"
 
 #include "Benchmarks/Data/BenchData.h"
 #include "Benchmarks/Intervals/ExtractionMethods.h"
@@ -20,16 +20,16 @@ void AddOrientationRow(const BenchData& data, BenchRows& rows)
   filter->Update();
   const TetrahedronSums sums = SumTetrahedra(filter->GetOutput());
   BenchRow row = rows.Make(data.Case, "inverted");
-  row.ErrorNorm = "share of the volume";
-  row.Error = sums.GetInvertedVolumeShare();
-  row.Counts["cells"] = data.Data->GetNumberOfCells();
-  row.Counts["tetrahedra"] = sums.Tetrahedra;
-  row.Counts["inverted"] = sums.Inverted;
-  row.Counts["share"] = sums.GetInvertedShare();
+  row.SetError("share of the volume", sums.GetInvertedVolumeShare());
+  row.Set({ { "cells", data.Data->GetNumberOfCells() }, { "tetrahedra", sums.Tetrahedra },
+    { "inverted", sums.Inverted }, { "share", sums.GetInvertedShare() } });
   rows.Add(row);
 }
-}
 
+/**
+ * Method `inverted`: which share of the tetrahedra is inverted, and which share of the volume they
+ * hold (the error), on cells of each shape with random values and on real data.
+ */
 void AddOrientationRows(const BenchOptions& options, BenchRows& rows)
 {
   const int cells = options.Pick(100000, 20000, 500);
@@ -41,5 +41,11 @@ void AddOrientationRows(const BenchOptions& options, BenchRows& rows)
   {
     AddOrientationRow(data, rows);
   }
+}
+}
+
+BenchPart MakeOrientationPart()
+{
+  return { AddOrientationRows };
 }
 }

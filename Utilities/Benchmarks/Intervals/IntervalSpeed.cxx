@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Intervals/IntervalSpeed.h"
+#include "Benchmarks/Intervals/IntervalParts.h"
 
 #include "Benchmarks/Data/BenchData.h"
 #include "Benchmarks/Intervals/ExtractionMethods.h"
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Measures/SecondThread.h"
+#include "Benchmarks/Results/SpeedPlots.h"
 
 #include "vtkIntervalVolume.h"
 
@@ -18,7 +19,7 @@ namespace interval
 {
 namespace
 {
-void AddSpeedRows(const BenchData& data, int threads, const BenchOptions& options, BenchRows& rows)
+void AddRowsOf(const BenchData& data, int threads, const BenchOptions& options, BenchRows& rows)
 {
   vtkIdType tetrahedra = 0;
   vtkIdType mixedCells = 0;
@@ -48,12 +49,10 @@ void AddSpeedRows(const BenchData& data, int threads, const BenchOptions& option
                          WithThreads(threads, clip2Tetrahedra) },
       options.GetRepeats());
 
-  BenchRow row = rows.Make(data.Case, "interval-volume");
-  row.Parameter = ThreadsParameter(threads);
+  BenchRow row = rows.Make(data.Case, "interval-volume", ThreadsParameter(threads));
   row.Seconds = seconds[0];
-  row.Counts["threads"] = threads;
-  row.Counts["cells"] = data.Data->GetNumberOfCells();
-  row.Counts["tetrahedra"] = tetrahedra;
+  row.Set({ { "threads", threads }, { "cells", data.Data->GetNumberOfCells() },
+    { "tetrahedra", tetrahedra } });
   BenchRow againstClip = row;
   againstClip.Peer = "clip2";
   againstClip.PeerSeconds = seconds[1];
@@ -90,32 +89,33 @@ void AddReExtractionRow(const BenchData& data, const std::string& place,
       options.GetRepeats());
 
   const vtkExtractionReport& report = indexed->GetReport();
-  BenchRow row = rows.Make(data.Case + "-" + place, "re-extract");
-  row.Parameter = width;
-  row.Seconds = seconds[0];
-  row.Peer = "all-cells";
-  row.PeerSeconds = seconds[1];
-  row.Counts["threads"] = 1;
-  row.Counts["cells"] = report.Cells;
-  row.Counts["visited"] = report.CellsVisited;
-  row.Counts["with_output"] = report.CellsWithOutput;
-  row.Counts["share"] = static_cast<double>(report.CellsWithOutput) /
-    static_cast<double>(data.Data->GetNumberOfCells());
+  BenchRow row = rows.Make(data.Case + "-" + place, "re-extract", width);
+  row.SetTimes(seconds[0], "all-cells", seconds[1]);
+  row.Set({ { "threads", 1 }, { "cells", report.Cells }, { "visited", report.CellsVisited },
+    { "with_output", report.CellsWithOutput },
+    { "share",
+      static_cast<double>(report.CellsWithOutput) /
+        static_cast<double>(data.Data->GetNumberOfCells()) } });
   rows.Add(row);
 }
-}
 
+/**
+ * Method `interval-volume`: against `clip2` and `clip2-tetrahedra`, by one thread and by all.
+ */
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const BenchData& data : MakeSpeedCases(options))
   {
     for (int threads : options.GetThreadCounts())
     {
-      AddSpeedRows(data, threads, options, rows);
+      AddRowsOf(data, threads, options, rows);
     }
   }
 }
 
+/**
+ * Method `threads-2`: two threads against the peer `threads-1`.
+ */
 void AddThreadRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const BenchData& data : MakeSpeedCases(options))
@@ -129,6 +129,10 @@ void AddThreadRows(const BenchOptions& options, BenchRows& rows)
   }
 }
 
+/**
+ * Method `re-extract`: changed intervals with the value index, against the peer `all-cells` without
+ * it, by one thread. The parameter is the width of the interval as a share of the range of values.
+ */
 void AddReExtractionRows(const BenchOptions& options, BenchRows& rows)
 {
   const BenchData data = MakeWavelet(WaveletPoints(options));
@@ -145,5 +149,32 @@ void AddReExtractionRows(const BenchOptions& options, BenchRows& rows)
     AddReExtractionRow(data, "middle",
       { middle - 0.5 * width * length, middle + 0.5 * width * length }, width, options, rows);
   }
+}
+}
+
+BenchPart MakeSpeedPart()
+{
+  const auto check = [](const std::vector<BenchRow>& rows) -> std::vector<BenchClaim>
+  {
+    return { BenchClaim::AtLeast("1 thread, at least 3 times faster than clip2", 3.0, rows,
+               RatioWithOneThread("interval-volume", "clip2")),
+      BenchClaim::AtLeast("1 thread, at least 40 times faster than clip2-tetrahedra", 40.0, rows,
+        RatioWithOneThread("interval-volume", "clip2-tetrahedra")),
+      BenchClaim::AtLeast("a second thread gives at least 1.7", 1.7, rows, RatioOf("threads-2")) };
+  };
+  const auto plot = [](const std::vector<BenchRow>& rows)
+  {
+    std::vector<BenchPlot> plots = MakeRatioPlots("interval", "interval-volume", rows);
+    const std::vector<BenchPlot> changed = MakeReExtractionPlots("interval", rows);
+    plots.insert(plots.end(), changed.begin(), changed.end());
+    return plots;
+  };
+  return { [](const BenchOptions& options, BenchRows& rows)
+    {
+      AddSpeedRows(options, rows);
+      AddThreadRows(options, rows);
+      AddReExtractionRows(options, rows);
+    },
+    plot, check };
 }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Intervals/IntervalWhole.h"
+#include "Benchmarks/Intervals/IntervalParts.h"
 
 #include "Benchmarks/Data/BenchData.h"
 #include "Benchmarks/Intervals/ExtractionMethods.h"
@@ -16,6 +16,7 @@ namespace interval
 {
 namespace
 {
+const char* const MemoryTask = "memory-whole";
 const std::array<std::string, 3> Methods = { "whole-cells", "tetrahedra", "clip2" };
 
 vtkSmartPointer<vtkUnstructuredGrid> Extract(const std::string& method, const BenchData& data)
@@ -52,8 +53,7 @@ std::vector<WholeCase> MakeCases(const BenchOptions& options)
   return cases;
 }
 
-void AddWholeRow(const WholeCase& one, const BenchOptions& options,
-  const std::function<nlohmann::ordered_json(const std::string& task)>& measure, BenchRows& rows)
+void AddWholeRow(const WholeCase& one, const BenchOptions& options, BenchRows& rows)
 {
   std::vector<BenchWork> works;
   std::array<vtkIdType, 3> cells{};
@@ -69,41 +69,40 @@ void AddWholeRow(const WholeCase& one, const BenchOptions& options,
         kib[m] = grid->GetActualMemorySize();
         return grid;
       }));
-    memory[m] = measure(Methods[m] + " " + one.Name);
+    memory[m] = RunChild("interval", MemoryTask + (" " + Methods[m] + " " + one.Name), options);
   }
   const auto seconds = MeasureAlternately(works, options.GetRepeats());
   for (std::size_t peer = 1; peer < Methods.size(); ++peer)
   {
-    BenchRow row = rows.Make(one.Name, Methods[0]);
-    row.Parameter = ThreadsParameter(1);
-    row.Seconds = seconds[0];
-    row.Peer = Methods[peer];
-    row.PeerSeconds = seconds[peer];
-    row.Counts["threads"] = 1;
-    row.Counts["cells"] = one.Data.Data->GetNumberOfCells();
-    row.Counts["output_cells"] = cells[0];
-    row.Counts["peer_output_cells"] = cells[peer];
-    row.Counts["output_kib"] = kib[0];
-    row.Counts["peer_output_kib"] = kib[peer];
+    BenchRow row = rows.Make(one.Name, Methods[0], ThreadsParameter(1));
+    row.SetTimes(seconds[0], Methods[peer], seconds[peer]);
+    row.Set({ { "threads", 1 }, { "cells", one.Data.Data->GetNumberOfCells() },
+      { "output_cells", cells[0] }, { "peer_output_cells", cells[peer] }, { "output_kib", kib[0] },
+      { "peer_output_kib", kib[peer] } });
     if (memory[0].contains("growth_kib") && memory[peer].contains("growth_kib"))
     {
-      row.Counts["growth_kib"] = memory[0]["growth_kib"];
-      row.Counts["peer_growth_kib"] = memory[peer]["growth_kib"];
+      row.Set({ { "growth_kib", memory[0]["growth_kib"] },
+        { "peer_growth_kib", memory[peer]["growth_kib"] } });
     }
     rows.Add(row);
   }
 }
-}
 
-void AddWholeRows(const BenchOptions& options,
-  const std::function<nlohmann::ordered_json(const std::string& task)>& measure, BenchRows& rows)
+/**
+ * Method `whole-cells`: vtkIntervalVolume with KeepWholeCells by one thread against the peers
+ * `tetrahedra`, the same without, and `clip2`, which keeps whole cells too. Counts: cells and
+ * KiB of each output, and the largest growth of resident memory.
+ */
+void AddWholeRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const WholeCase& one : MakeCases(options))
   {
-    AddWholeRow(one, options, measure, rows);
+    AddWholeRow(one, options, rows);
   }
 }
 
+/// By how much the resident memory of this process grows at most in one execution of \a task, a
+/// method and a case with a space between; absent if the system cannot tell.
 nlohmann::ordered_json MeasureWholeMemory(const std::string& task, const BenchOptions& options)
 {
   const std::size_t space = task.find(' ');
@@ -130,5 +129,11 @@ nlohmann::ordered_json MeasureWholeMemory(const std::string& task, const BenchOp
     }
   }
   return json;
+}
+}
+
+BenchPart MakeWholePart()
+{
+  return { AddWholeRows, nullptr, nullptr, { { MemoryTask, MeasureWholeMemory } } };
 }
 }

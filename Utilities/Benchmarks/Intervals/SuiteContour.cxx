@@ -16,32 +16,6 @@ const char* const OnImage = "isotable-image";
 const char* const OnHexahedra = "isotable-hexahedra";
 const char* const OnHexahedraUnmerged = "isotable-hexahedra-unmerged";
 
-class SuiteContour : public BenchSuite
-{
-public:
-  std::string GetName() const override { return "contour"; }
-  std::string GetTitle() const override { return "vtkIsotableContour: run time"; }
-  std::vector<std::string> GetDescription() const override;
-  void Run(const BenchOptions& options, BenchRows& rows) const override;
-  std::vector<BenchPlot> MakePlots(const std::vector<BenchRow>& rows) const override;
-  std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows) const override;
-};
-
-std::vector<std::string> SuiteContour::GetDescription() const
-{
-  return {
-    "isotable-hexahedra: vtkIsotableContour on the unstructured hexahedra of each case, against "
-    "contour3dlinear and contour3dlinear-merge, vtkContour3DLinearGrid with MergePoints off and "
-    "on; "
-    "neither normals nor attributes. vtkIsotableContour merges points and carries the scalar.",
-    "isotable-hexahedra-unmerged: the same with MergePoints off, against contour3dlinear.",
-    "isotable-image: vtkIsotableContour on image data, against flyingedges, vtkFlyingEdges3D "
-    "without "
-    "normals and gradients.",
-    "The contour value is the lower bound of the case's interval."
-  };
-}
-
 /// The number of triangles of a work's result.
 vtkIdType TrianglesOf(const BenchWork& work)
 {
@@ -62,12 +36,9 @@ void AddRows(const BenchRow& common, int threads, const std::vector<std::string>
   {
     BenchRow row = common;
     row.Parameter = ThreadsParameter(threads);
-    row.Seconds = seconds[0];
-    row.Peer = peers[i];
-    row.PeerSeconds = seconds[i + 1];
-    row.Counts["threads"] = threads;
-    row.Counts["triangles"] = TrianglesOf(works[0]);
-    row.Counts["peer_triangles"] = TrianglesOf(works[i + 1]);
+    row.SetTimes(seconds[0], peers[i], seconds[i + 1]);
+    row.Set({ { "threads", threads }, { "triangles", TrianglesOf(works[0]) },
+      { "peer_triangles", TrianglesOf(works[i + 1]) } });
     rows.Add(row);
   }
 }
@@ -129,7 +100,7 @@ void AddImageRows(const BenchData& data, const BenchOptions& options, BenchRows&
   }
 }
 
-void SuiteContour::Run(const BenchOptions& options, BenchRows& rows) const
+void AddContourRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const BenchData& data : MakeSpeedCases(options))
   {
@@ -138,22 +109,21 @@ void SuiteContour::Run(const BenchOptions& options, BenchRows& rows) const
   }
 }
 
-std::vector<BenchPlot> SuiteContour::MakePlots(const std::vector<BenchRow>& rows) const
+std::vector<BenchPlot> MakePlots(const std::vector<BenchRow>& rows)
 {
-  std::vector<BenchPlot> plots = MakeRatioPlots("contour", OnHexahedra, rows);
-  for (BenchPlot& plot : MakeRatioPlots("contour", OnImage, rows))
-  {
-    plots.push_back(std::move(plot));
-  }
+  std::vector<BenchPlot> plots;
   // The plot of another method against a peer of the first has a name of its own.
-  for (BenchPlot& plot : MakeRatioPlots("contour-unmerged", OnHexahedraUnmerged, rows))
+  for (const auto& [name, method] :
+    { std::make_pair("contour", OnHexahedra), std::make_pair("contour", OnImage),
+      std::make_pair("contour-unmerged", OnHexahedraUnmerged) })
   {
-    plots.push_back(std::move(plot));
+    const std::vector<BenchPlot> some = MakeRatioPlots(name, method, rows);
+    plots.insert(plots.end(), some.begin(), some.end());
   }
   return plots;
 }
 
-std::vector<BenchClaim> SuiteContour::CheckClaims(const std::vector<BenchRow>& rows) const
+std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows)
 {
   return { BenchClaim::AtLeast("hexahedra, 1 thread: no slower than contour3dlinear-merge", 1.0,
              rows, RatioWithOneThread(OnHexahedra, "contour3dlinear-merge")),
@@ -164,7 +134,16 @@ std::vector<BenchClaim> SuiteContour::CheckClaims(const std::vector<BenchRow>& r
 }
 }
 
-std::unique_ptr<BenchSuite> MakeContourSuite()
+BenchSuite MakeContourSuite()
 {
-  return std::make_unique<SuiteContour>();
+  return { "contour", "vtkIsotableContour: run time",
+    { "isotable-hexahedra: vtkIsotableContour on the unstructured hexahedra of each case, against "
+      "contour3dlinear and contour3dlinear-merge, vtkContour3DLinearGrid with MergePoints off and "
+      "on; neither normals nor attributes. vtkIsotableContour merges points and carries the "
+      "scalar.",
+      "isotable-hexahedra-unmerged: the same with MergePoints off, against contour3dlinear.",
+      "isotable-image: vtkIsotableContour on image data, against flyingedges, vtkFlyingEdges3D "
+      "without normals and gradients.",
+      "The contour value is the lower bound of the case's interval." },
+    { { AddContourRows, MakePlots, CheckClaims } } };
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <thread>
 
 double GetSteadySeconds()
@@ -15,10 +16,12 @@ double GetSteadySeconds()
 
 BenchSeconds TimeOnce(const BenchWork& work)
 {
+  const std::clock_t ticks = std::clock();
   const double begin = GetSteadySeconds();
   const vtkSmartPointer<vtkObjectBase> result = work();
   const double end = GetSteadySeconds();
-  return { end - begin, 1, { { { begin, end } } } };
+  const double processor = static_cast<double>(std::clock() - ticks) / CLOCKS_PER_SEC;
+  return { end - begin, 1, { { { begin, end } } }, processor };
 }
 
 std::vector<BenchSeconds> MeasureAlternately(const std::vector<BenchWork>& works, int repeats)
@@ -56,6 +59,16 @@ BenchWork WithThreads(int threads, const BenchWork& work)
   };
 }
 
+BenchWork Again(const vtkSmartPointer<vtkAlgorithm>& filter)
+{
+  return [filter]()
+  {
+    filter->Modified();
+    filter->Update();
+    return filter;
+  };
+}
+
 std::string ThreadsParameter(int threads)
 {
   return std::to_string(threads) + (threads == 1 ? " thread" : " threads");
@@ -80,9 +93,12 @@ BenchSeconds MedianOf(const std::vector<double>& runs)
 BenchSeconds MedianOf(const std::vector<BenchSeconds>& runs)
 {
   BenchSeconds median = MedianOf(std::vector<double>(runs.begin(), runs.end()));
+  std::vector<double> processor;
   for (const BenchSeconds& run : runs)
   {
+    processor.push_back(run.Processor);
     median.Spans.insert(median.Spans.end(), run.Spans.begin(), run.Spans.end());
   }
+  median.Processor = Median(processor);
   return median;
 }

@@ -4,7 +4,7 @@
 
 #include "Benchmarks/Measures/BenchSeconds.h"
 
-#include "vtkObjectBase.h"
+#include "vtkAlgorithm.h"
 #include "vtkSmartPointer.h"
 
 #include <functional>
@@ -37,6 +37,11 @@ std::vector<BenchSeconds> MeasureAlternately(const std::vector<BenchWork>& works
  * \a work by so many threads of vtkSMPTools, which stays set so afterwards.
  */
 BenchWork WithThreads(int threads, const BenchWork& work);
+
+/**
+ * Executes \a filter again, with its inputs as they are, by the threads that are set.
+ */
+BenchWork Again(const vtkSmartPointer<vtkAlgorithm>& filter);
 
 /**
  * `1 thread`, `2 threads`, ...: the parameter of a row.

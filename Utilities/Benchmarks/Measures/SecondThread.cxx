@@ -8,7 +8,5 @@ void MeasureSecondThread(const BenchWork& work, const BenchOptions& options, Ben
   // Cheap, and the more runs, the less another process on the machine matters.
   const std::vector<BenchSeconds> seconds =
     MeasureAlternately({ WithThreads(1, work), WithThreads(2, work) }, 3 * options.GetRepeats());
-  row.Seconds = seconds[1];
-  row.Peer = "threads-1";
-  row.PeerSeconds = seconds[0];
+  row.SetTimes(seconds[1], "threads-1", seconds[0]);
 }

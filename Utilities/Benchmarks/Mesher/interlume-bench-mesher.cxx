@@ -114,14 +114,7 @@ void AddMesher(vtkPolyData* ball, const std::string& method, double quality, dou
   mesher->SetInputData(ball);
   mesher->SetQualityBound(quality);
   mesher->SetMaximumVolume(share * 4.0 / 3.0 * vtkMath::Pi());
-  trials.Add(method, setting, maker,
-    WithThreads(1,
-      [mesher]()
-      {
-        mesher->Modified();
-        mesher->Update();
-        return vtkSmartPointer<vtkObjectBase>(mesher);
-      }),
+  trials.Add(method, setting, maker, WithThreads(1, Again(mesher)),
     [mesher]() { return MeasureInterpolation(mesher->GetOutput()); });
 }
 
@@ -129,14 +122,7 @@ void AddPeer(vtkPolyData* ball, Trials& trials)
 {
   auto peer = vtkSmartPointer<vtkDelaunay3D>::New();
   peer->SetInputData(ball);
-  trials.Add("vtkDelaunay3D", "", Maker::Peer,
-    WithThreads(1,
-      [peer]()
-      {
-        peer->Modified();
-        peer->Update();
-        return vtkSmartPointer<vtkObjectBase>(peer);
-      }),
+  trials.Add("vtkDelaunay3D", "", Maker::Peer, WithThreads(1, Again(peer)),
     [peer]() { return MeasureInterpolation(peer->GetOutput()); });
 }
 

@@ -121,22 +121,21 @@ void Drawing::MoveLights()
 BenchWork Drawing::GetFrame(int threads, bool areLightsMoved)
 {
   return WithThreads(threads,
-    this->Clock.Watch(
-      [this, areLightsMoved]()
+    [this, areLightsMoved]()
+    {
+      vtkNew<vtkCamera> moved;
+      moved->DeepCopy(this->Scene.Camera);
+      moved->Azimuth(0.5 * (++this->Frames % 40));
+      this->SetCamera(moved);
+      if (areLightsMoved)
       {
-        vtkNew<vtkCamera> moved;
-        moved->DeepCopy(this->Scene.Camera);
-        moved->Azimuth(0.5 * (++this->Frames % 40));
-        this->SetCamera(moved);
-        if (areLightsMoved)
-        {
-          this->MoveLights();
-        }
-        this->Stage.GetRenderer()->SetPass(this->Pass);
-        this->Stage.GetWindow()->Render();
-        this->Stage.GetWindow()->WaitForCompletion();
-        return vtkSmartPointer<vtkObjectBase>(this->Pass);
-      }));
+        this->MoveLights();
+      }
+      this->Stage.GetRenderer()->SetPass(this->Pass);
+      this->Stage.GetWindow()->Render();
+      this->Stage.GetWindow()->WaitForCompletion();
+      return vtkSmartPointer<vtkObjectBase>(this->Pass);
+    });
 }
 
 const vtkShadowedSceneReport* Drawing::GetReport() const

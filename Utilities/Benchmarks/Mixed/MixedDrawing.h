@@ -3,7 +3,6 @@
 #define MixedDrawing_h
 
 #include "Benchmarks/Measures/BenchTiming.h"
-#include "Benchmarks/Measures/ProcessorClock.h"
 #include "Pictures/MixedScene.h"
 #include "Pictures/RgbaPicture.h"
 #include "Pictures/VolumeStage.h"
@@ -62,10 +61,6 @@ public:
   /// depth maps have to be drawn anew. The drawing must outlive the work.
   BenchWork GetFrame(int threads, bool areLightsMoved = false);
 
-  /// The median processor seconds of the frames since the last call, of all threads: what else the
-  /// machine does falls on it less than on the time.
-  BenchSeconds TakeProcessorSeconds() { return this->Clock.Take(); }
-
   /// Null where another method draws, and where there is no volume.
   const vtkShadowedSceneReport* GetReport() const;
   vtkShadowedSliceMapper* GetSlices() const { return this->Slices; }
@@ -79,7 +74,6 @@ private:
   vtkSmartPointer<vtkShadowedScenePass> ScenePass;
   vtkSmartPointer<vtkShadowedSliceMapper> Slices;
   std::vector<reference::Double3> Positions;
-  ProcessorClock Clock;
   int Frames = 0;
 };
 }

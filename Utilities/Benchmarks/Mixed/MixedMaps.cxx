@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Mixed/MixedMaps.h"
+#include "Benchmarks/Mixed/MixedParts.h"
 
 #include "Benchmarks/Measures/PictureEdges.h"
 #include "Benchmarks/Mixed/MixedCases.h"
@@ -23,23 +23,26 @@ constexpr int DefaultResolution = 1024;
 BenchRow MakeMapRow(
   const BenchRows& rows, const std::string& name, const char* method, int resolution)
 {
-  BenchRow row = rows.Make(name, method);
-  row.Parameter = resolution;
+  BenchRow row = rows.Make(name, method, resolution);
   return row;
 }
 
 void AddErrors(
   BenchRow& row, const reference::RgbaPicture& picture, const reference::RgbaPicture& expected)
 {
-  row.ErrorNorm = "channel difference, mean";
-  row.Error = reference::ComparePictures(picture, expected).Mean;
+  row.SetError("channel difference, mean", reference::ComparePictures(picture, expected).Mean);
   const EdgeDistances edges = MeasureEdges(picture, expected, Reach);
-  row.Counts["edges"] = edges.Edges;
-  row.Counts["edge_pixels"] = edges.Mean;
-  row.Counts["edge_pixels_largest"] = edges.Largest;
-}
+  row.Set({ { "edges", edges.Edges }, { "edge_pixels", edges.Mean },
+    { "edge_pixels_largest", edges.Largest } });
 }
 
+/**
+ * Surfaces alone under a spotlight, by vtkShadowedScenePass, whose peer is vtkShadowMapPass with
+ * depth maps of the same resolution, the parameter; errors against the ray caster in double
+ * precision. `scene-pass` and `shadow-maps`: only the camera moves; edge_pixels is how far shadows'
+ * edges are from their places; over_peer, processor_over_peer and error_over_peer are ours over the
+ * peer's. `scene-pass, light moves`: maps are drawn for each frame.
+ */
 void AddMapRows(const BenchOptions& options, BenchRows& rows)
 {
   const Case what = MakePosts(options.Pick(512, 256, 64), options.Pick(400000, 100000, 1000));
@@ -50,13 +53,11 @@ void AddMapRows(const BenchOptions& options, BenchRows& rows)
     Drawing ours(what.Scene, Method::ScenePass, resolution);
     Drawing maps(what.Scene, Method::ShadowMaps, resolution);
     std::array<std::vector<BenchSeconds>, 2> seconds;
-    std::array<double, 2> processor{};
     for (const bool isMoving : { false, true })
     {
       seconds[isMoving] = MeasureAlternately(
         { ours.GetFrame(options.Threads, isMoving), maps.GetFrame(options.Threads, isMoving) },
         options.GetRepeats());
-      processor[isMoving] = ours.TakeProcessorSeconds() / maps.TakeProcessorSeconds();
     }
     what.Scene.Lights.front().Light->SetPosition(what.LightPosition.data());
     ours.SetCamera(what.Scene.Camera);
@@ -68,11 +69,10 @@ void AddMapRows(const BenchOptions& options, BenchRows& rows)
     for (const bool isMoving : { false, true })
     {
       BenchRow row = MakeMapRow(rows, what.Name, isMoving ? Moving : ScenePass, resolution);
-      row.Seconds = seconds[isMoving][0];
-      row.Peer = ShadowMaps;
-      row.PeerSeconds = seconds[isMoving][1];
-      row.Counts[OverPeer] = *row.Seconds / *row.PeerSeconds;
-      row.Counts["processor_over_peer"] = processor[isMoving];
+      row.SetTimes(seconds[isMoving][0], ShadowMaps, seconds[isMoving][1]);
+      row.Set({ { OverPeer, *row.Seconds / *row.PeerSeconds },
+        { "processor_over_peer",
+          seconds[isMoving][0].Processor / seconds[isMoving][1].Processor } });
       if (!isMoving)
       {
         AddErrors(row, ours.Capture(), expected);
@@ -98,20 +98,25 @@ std::vector<BenchPlot> MakeMapPlots(const std::vector<BenchRow>& rows)
 {
   BenchPlot plot = BenchPlot::OfErrors("mixed-surfaces",
     "Surfaces alone: error against run time, depth maps of growing resolution",
-    "time of a frame (s)", "error: channel difference, mean");
-  plot.Question = "How fine are the depth maps of surfaces to be?";
-  plot.Conditions =
-    "Posts under one light, columns of a map at each point, vtkShadowMapPass as the "
-    "peer; against a ray caster in double precision.";
+    "time of a frame (s)", "error: channel difference, mean",
+    "How fine are the depth maps of surfaces to be?",
+    "Posts under one light, columns of a map at each point, vtkShadowMapPass as the peer; against "
+    "a ray caster in double precision.");
   for (const BenchRow& row : rows)
   {
     const bool isPeer = row.Method == ShadowMaps;
-    if ((isPeer || row.Peer == ShadowMaps) && row.Error && *row.Error > 0.0)
+    if (isPeer || row.Peer == ShadowMaps)
     {
-      plot.AddPoint(row.Method, isPeer, *row.Seconds, *row.Error, row.GetParameterText());
+      plot.AddRow(row, isPeer);
     }
   }
   plot.SetDefault(ScenePass, std::to_string(DefaultResolution));
-  return plot.AllSeries.empty() ? std::vector<BenchPlot>() : std::vector<BenchPlot>{ plot };
+  return { plot };
+}
+}
+
+BenchPart MakeMapPart()
+{
+  return { AddMapRows, MakeMapPlots, CheckMapClaims };
 }
 }

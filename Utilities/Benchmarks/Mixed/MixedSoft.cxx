@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Mixed/MixedSoft.h"
+#include "Benchmarks/Mixed/MixedParts.h"
 
 #include "Benchmarks/Mixed/MixedCases.h"
 #include "Benchmarks/Mixed/MixedDrawing.h"
@@ -41,16 +41,19 @@ Case MakeRound(const Case& from)
 BenchRow MakeSoftRow(const BenchRows& rows, const std::string& name, const char* method,
   int samples, const BenchSeconds& seconds, const reference::PictureError& error)
 {
-  BenchRow row = rows.Make(name, method);
-  row.Parameter = samples;
+  BenchRow row = rows.Make(name, method, samples);
   row.Seconds = seconds;
-  row.ErrorNorm = "channel difference, mean";
-  row.Error = error.Mean;
+  row.SetError("channel difference, mean", error.Mean);
   row.Counts["largest"] = error.Max;
   return row;
 }
-}
 
+/**
+ * Surfaces alone under a round vtkAreaLight by vtkShadowedScenePass, whose peer is the same light
+ * without its extent; errors against the ray caster in double precision with 400 points of the
+ * light. `soft`: the parameter is NumberOfLightSamples, the light moves from frame to frame and
+ * over_hard is the time over the peer's. `hard`: the peer.
+ */
 void AddSoftRows(const BenchOptions& options, BenchRows& rows)
 {
   const Case point = MakePosts(options.Pick(256, 128, 48), options.Pick(20000, 5000, 200));
@@ -71,11 +74,11 @@ void AddSoftRows(const BenchOptions& options, BenchRows& rows)
       rows, name, Soft, samples, seconds[0], reference::ComparePictures(soft.Capture(), expected));
     row.Peer = Hard;
     row.PeerSeconds = seconds[1];
-    row.Counts["over_hard"] = seconds[0] / seconds[1];
-    row.Counts["processor_over_hard"] = soft.TakeProcessorSeconds() / hard.TakeProcessorSeconds();
-    row.Counts["maps"] = soft.GetReport()->SampleMaps;
-    row.Counts["map_resolution"] = soft.GetReport()->SampleMapResolution;
-    row.Counts["map_bytes"] = soft.GetReport()->SampleMapBytes;
+    row.Set({ { "over_hard", seconds[0] / seconds[1] },
+      { "processor_over_hard", seconds[0].Processor / seconds[1].Processor },
+      { "maps", soft.GetReport()->SampleMaps },
+      { "map_resolution", soft.GetReport()->SampleMapResolution },
+      { "map_bytes", soft.GetReport()->SampleMapBytes } });
     rows.Add(row);
     if (samples == 4)
     {
@@ -91,19 +94,24 @@ std::vector<BenchPlot> MakeSoftPlots(const std::vector<BenchRow>& rows)
 {
   BenchPlot plot = BenchPlot::OfErrors("mixed-soft",
     "Soft shadows of surfaces: error against run time, maps of 4 samples and more",
-    "time of a frame (s)", "error: channel difference, mean");
-  plot.Question = "How many samples of an area light for the soft shadows of surfaces?";
-  plot.Conditions = "Posts under a round light, maps of so many samples, and the hard shadows of "
-                    "the light's centre; against a ray caster in double precision.";
+    "time of a frame (s)", "error: channel difference, mean",
+    "How many samples of an area light for the soft shadows of surfaces?",
+    "Posts under a round light, maps of so many samples, and the hard shadows of the light's "
+    "center; against a ray caster in double precision.");
   for (const BenchRow& row : rows)
   {
-    if ((row.Method == Soft || row.Method == Hard) && *row.Error > 0.0)
+    if (row.Method == Soft || row.Method == Hard)
     {
-      plot.AddPoint(
-        row.Method, row.Method == Hard, *row.Seconds, *row.Error, row.GetParameterText());
+      plot.AddRow(row, row.Method == Hard);
     }
   }
   plot.SetDefault(Soft, std::to_string(DefaultSamples));
-  return plot.AllSeries.empty() ? std::vector<BenchPlot>() : std::vector<BenchPlot>{ plot };
+  return { plot };
+}
+}
+
+BenchPart MakeSoftPart()
+{
+  return { AddSoftRows, MakeSoftPlots };
 }
 }

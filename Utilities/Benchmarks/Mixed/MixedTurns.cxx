@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Mixed/MixedTurns.h"
+#include "Benchmarks/Mixed/MixedParts.h"
 
 #include "Benchmarks/Mixed/MixedCases.h"
 #include "Benchmarks/Mixed/MixedDrawing.h"
@@ -52,19 +52,21 @@ void AddTurn(const Case& what, bool isOfLight, int degrees, BenchRows& rows)
   const double mean = turn.GetMean();
   const reference::PictureTurn::Bend bend = turn.GetMeanBend();
   const reference::PictureTurn::Bend change = turn.GetChangeBend();
-  BenchRow row = rows.Make(what.Name, isOfLight ? Lights : Views);
-  row.Parameter = degrees;
-  row.ErrorNorm = "mean of a picture from its neighbours', largest, share";
-  row.Error = bend.Largest / mean;
-  row.Counts["worst_frame"] = bend.At;
-  row.Counts["p95"] = bend.P95 / mean;
-  row.Counts["change_largest"] = change.Largest;
-  row.Counts["change_worst_frame"] = change.At;
-  row.Counts["change_p95"] = change.P95;
+  BenchRow row = rows.Make(what.Name, isOfLight ? Lights : Views, degrees);
+  row.SetError("mean of a picture from its neighbours', largest, share", bend.Largest / mean);
+  row.Set(
+    { { "worst_frame", bend.At }, { "p95", bend.P95 / mean }, { "change_largest", change.Largest },
+      { "change_worst_frame", change.At }, { "change_p95", change.P95 } });
   rows.Add(row);
 }
-}
 
+/**
+ * Pictures by vtkShadowedScenePass from views a degree apart, and under lights a degree apart, over
+ * as many degrees as the parameter says, 360 in full runs. `views` and `lights`: the error is the
+ * largest distance of a picture's mean from the middle of its neighbours', over the mean of all;
+ * worst_frame is its place, p95 below which 95 % are. change_* is the same of the largest change of
+ * a pixel's red from one picture to the next, as it is.
+ */
 void AddTurnRows(const BenchOptions& options, BenchRows& rows)
 {
   const int degrees = options.Pick(360, 36, 4);
@@ -78,13 +80,18 @@ void AddTurnRows(const BenchOptions& options, BenchRows& rows)
 std::vector<BenchClaim> CheckTurnClaims(const std::vector<BenchRow>& rows)
 {
   return { BenchClaim::AtMost(
-    "no view and no light stands out: means at most 1 % from the middle of "
-    "their neighbours'",
-    0.01, rows,
+    "no view and no light stands out: means at most 1 % from the middle of their neighbours'", 0.01,
+    rows,
     [](const BenchRow& row)
     {
       const bool isTurn = row.Method == Views || row.Method == Lights;
       return isTurn ? row.Error : std::optional<double>();
     }) };
+}
+}
+
+BenchPart MakeTurnPart()
+{
+  return { AddTurnRows, nullptr, CheckTurnClaims };
 }
 }

@@ -39,21 +39,19 @@ void SetRatio(BenchRow& row, const char* name, double value, double over)
 
 BenchRow MakeWeakRow(const BenchRows& rows, const std::string& theCase, const Times& times)
 {
-  BenchRow row = rows.Make(theCase, Weak);
-  row.Parameter = times.ProcessorSeconds.size();
+  BenchRow row = rows.Make(theCase, Weak, times.ProcessorSeconds.size());
   row.Seconds = { times.Seconds, times.Runs };
-  row.Counts["processor_seconds"] = GetMean(times.ProcessorSeconds);
-  row.Counts["most_processor_seconds"] =
-    *std::max_element(times.ProcessorSeconds.begin(), times.ProcessorSeconds.end());
-  row.Counts["work"] = GetMean(times.Work);
+  row.Set({ { "processor_seconds", GetMean(times.ProcessorSeconds) },
+    { "most_processor_seconds",
+      *std::max_element(times.ProcessorSeconds.begin(), times.ProcessorSeconds.end()) },
+    { "work", GetMean(times.Work) } });
   return row;
 }
 
 BenchRow MakeMemoryRow(
   const BenchRows& rows, const std::string& theCase, int ranks, const std::vector<double>& kib)
 {
-  BenchRow row = rows.Make(theCase, Strong);
-  row.Parameter = ranks;
+  BenchRow row = rows.Make(theCase, Strong, ranks);
   if (!kib.empty())
   {
     row.Counts["kib"] = *std::max_element(kib.begin(), kib.end());

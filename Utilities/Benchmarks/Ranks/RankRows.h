@@ -24,8 +24,9 @@ BenchRow MakeMemoryRow(
   const BenchRows& rows, const std::string& theCase, int ranks, const std::vector<double>& kib);
 
 /**
- * Combines the rows of runs with several numbers of processes: adds `efficiency`, the mean processor
- * time of one process over that of each, and `share`, the memory over that of one process.
+ * Combines the rows of runs with several numbers of processes: adds `efficiency`, the mean
+ * processor time of one process over that of each, and `share`, the memory over that of one
+ * process.
  */
 BenchResults Join(const std::vector<BenchResults>& runs);
 }

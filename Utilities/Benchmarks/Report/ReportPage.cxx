@@ -2,7 +2,6 @@
 #include "Benchmarks/Report/ReportPage.h"
 
 #include "Benchmarks/Costs/CostRows.h"
-#include "Benchmarks/Report/CostSection.h"
 #include "Benchmarks/Results/BenchMachine.h"
 #include "Pages/HtmlText.h"
 
@@ -34,6 +33,39 @@ td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: 
 .failed { color: #a00; font-weight: 600; }
 summary { cursor: pointer; }
 )";
+/// The rows of interlume-bench-costs: features, then folded scenes, classes and all others. Empty
+/// without rows of scenes.
+std::string CostsOf(const BenchResults& results)
+{
+  std::vector<BenchRow> features;
+  std::vector<BenchRow> classes;
+  std::vector<BenchRow> scenes;
+  std::vector<BenchRow> others;
+  for (const BenchRow& row : results.RowsOf(costs::Suite))
+  {
+    const bool isOfAll = row.Case == costs::AllScenes;
+    (row.Method == costs::AllFeatures        ? scenes
+        : isOfAll && row.Parameter.is_null() ? classes
+        : isOfAll                            ? features
+                                             : others)
+      .push_back(row);
+  }
+  if (scenes.empty())
+  {
+    return {};
+  }
+  const auto folded = [](const std::vector<BenchRow>& rows, const std::string& what)
+  { return html::Folded(std::to_string(rows.size()) + what, html::TableOf(rows)); };
+  return "<p>What is left of each feature that a scene of the gallery does not use, after it was "
+         "switched on and off: the largest numbers over the scenes; ms is processor time against "
+         "the same scene that never had the feature. With on_ what it adds, medians. " +
+    html::Escaped(MachineInOneLine(results.Machine, results.Vtk)) + "; " +
+    html::Escaped(ConditionsInOneLine(results.Conditions)) + "; " +
+    html::Escaped(results.Conditions.value("command", "")) + ".</p>\n" + html::TableOf(features) +
+    folded(scenes, " scenes") +
+    folded(classes, " classes that scenes execute; others have no execution, array or byte") +
+    folded(others, " rows of scenes");
+}
 }
 
 ReportPage::ReportPage(const BenchResults& results)
@@ -43,12 +75,12 @@ ReportPage::ReportPage(const BenchResults& results)
 
 void ReportPage::AddSuite(const BenchSuite& suite, const std::vector<BenchPlot>& plots)
 {
-  const std::string name = suite.GetName();
+  const std::string name = suite.Name;
   const std::vector<BenchRow> rows = this->Results.RowsOf(name);
   std::ostringstream text;
   text << "<h2 id=\"" << name << "\">" << html::Escaped(name) << "</h2>\n<p>"
-       << html::Escaped(suite.GetTitle()) << ".</p>\n<ul>\n";
-  for (const std::string& paragraph : suite.GetDescription())
+       << html::Escaped(suite.Title) << ".</p>\n<ul>\n";
+  for (const std::string& paragraph : suite.Description)
   {
     text << "<li>" << html::Escaped(paragraph) << "</li>\n";
   }
@@ -57,7 +89,7 @@ void ReportPage::AddSuite(const BenchSuite& suite, const std::vector<BenchPlot>&
   {
     if (plot.Question.empty())
     {
-      text << "<a href=\"" << plot.Name << ".png\"><img src=\"" << plot.Name << ".png\" alt=\""
+      text << "<a href=\"" << plot.Name << ".svg\"><img src=\"" << plot.Name << ".svg\" alt=\""
            << html::Escaped(plot.Title) << "\"></a>\n";
     }
     else
@@ -88,7 +120,7 @@ void ReportPage::AddCatalogue(const std::vector<StabilityCase>& cases)
 
 void ReportPage::AddCosts(const BenchResults& costs)
 {
-  this->Body += "<h2 id=\"costs\">What scenes pay</h2>\n" + html::CostsOf(costs);
+  this->Body += "<h2 id=\"costs\">What scenes pay</h2>\n" + CostsOf(costs);
   for (const BenchClaim& claim : costs::CheckClaims(costs.RowsOf(costs::Suite)))
   {
     this->Claims.push_back({ "costs", claim });
@@ -107,10 +139,10 @@ void ReportPage::Write(const std::string& path) const
        << html::Escaped(this->Results.Machine.value("system", "")) << "; "
        << html::Escaped(ConditionsInOneLine(this->Results.Conditions)) << ".</p>\n"
        << "<p>Times are wall time, medians of as many runs as the column says. A method and its "
-          "peers take turns in the same run; "
-          "the ratio is the peer's time divided by the method's: above 1 the method is faster. "
-          "The same numbers are in <a href=\"rows.json\">rows.json</a>.</p>\n<nav>"
-          "<a href=\"#claims\">claims</a><a href=\"#questions\">questions</a>";
+          "peers take turns in the same run; the ratio is the peer's time divided by the method's: "
+          "above 1 the method is faster. The same numbers are in <a "
+          "href=\"rows.json\">rows.json</a>.</p>\n<nav><a href=\"#claims\">claims</a><a "
+          "href=\"#questions\">questions</a>";
   for (const BenchRow& row : this->Results.Rows)
   {
     if (named.insert(row.Suite).second)

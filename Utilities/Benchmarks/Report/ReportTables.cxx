@@ -8,93 +8,62 @@
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+#include <utility>
 
 namespace
 {
-std::string Number(double number)
-{
-  std::ostringstream text;
-  const bool whole = number == std::floor(number) && std::abs(number) < 1e15;
-  if (whole)
-  {
-    text << std::fixed << std::setprecision(0) << number;
-  }
-  else
-  {
-    text << std::setprecision(4) << number;
-  }
-  return text.str();
-}
-
-/// A table cell: its text and whether it is a number.
+/// A table cell in HTML.
 struct Cell
 {
-  std::string Text;
+  std::string Html;
   bool IsNumber = false;
 };
 
 /// A row as named cells, in the order of the columns.
 using Cells = std::vector<std::pair<std::string, Cell>>;
 
-void AddText(Cells& cells, const char* name, const std::string& text)
+std::string Number(double number)
 {
-  if (!text.empty())
+  std::ostringstream text;
+  const bool isWhole = number == std::floor(number) && std::abs(number) < 1e15;
+  if (isWhole)
   {
-    cells.push_back({ name, { html::Escaped(text), false } });
+    text << std::fixed;
   }
+  text << std::setprecision(isWhole ? 0 : 4) << number;
+  return text.str();
 }
 
-void AddNumber(Cells& cells, const std::string& name, const std::optional<double>& number)
+Cell CellOf(const nlohmann::ordered_json& json)
 {
-  if (number)
-  {
-    cells.push_back({ name, { Number(*number), true } });
-  }
-}
-
-void AddRuns(Cells& cells, const std::string& name, const std::optional<BenchSeconds>& seconds)
-{
-  if (seconds)
-  {
-    AddNumber(cells, name, seconds->Runs);
-  }
-}
-
-void AddJson(Cells& cells, const std::string& name, const nlohmann::ordered_json& json)
-{
-  if (json.is_number())
-  {
-    AddNumber(cells, name, json.get<double>());
-  }
-  else if (!json.is_null())
-  {
-    cells.push_back(
-      { name, { html::Escaped(json.is_string() ? json.get<std::string>() : json.dump()) } });
-  }
+  return json.is_number()
+    ? Cell{ Number(json.get<double>()), true }
+    : Cell{ html::Escaped(json.is_string() ? json.get<std::string>() : json.dump()) };
 }
 
 Cells CellsOf(const BenchRow& row)
 {
+  static const std::pair<const char*, const char*> names[] = { { "case", "case" },
+    { "method", "method" }, { "parameter", "parameter" }, { "error_norm", "error norm" },
+    { "error", "error" }, { "seconds", "seconds" }, { "runs", "runs" }, { "peer", "peer" },
+    { "peer_seconds", "peer seconds" }, { "peer_runs", "peer runs" }, { "ratio", "ratio" } };
+  const nlohmann::ordered_json json = row.ToJson();
   Cells cells;
-  AddText(cells, "case", row.Case);
-  AddText(cells, "method", row.Method);
-  AddJson(cells, "parameter", row.Parameter);
-  AddText(cells, "error norm", row.ErrorNorm);
-  AddNumber(cells, "error", row.Error);
-  AddNumber(cells, "seconds", row.Seconds);
-  AddRuns(cells, "runs", row.Seconds);
-  AddText(cells, "peer", row.Peer);
-  AddNumber(cells, "peer seconds", row.PeerSeconds);
-  AddRuns(cells, "peer runs", row.PeerSeconds);
-  AddNumber(cells, "ratio", row.GetRatio());
+  for (const auto& [field, name] : names)
+  {
+    if (json.contains(field))
+    {
+      cells.push_back({ name, CellOf(json[field]) });
+    }
+  }
   for (const auto& count : row.Counts.items())
   {
-    AddJson(cells, count.key(), count.value());
+    cells.push_back({ count.key(), CellOf(count.value()) });
   }
   return cells;
 }
 
-/// The fields of all rows; a new one comes after the one that it follows in its row.
+/// The names of all cells; a new name follows the one that it follows in its row.
 std::vector<std::string> ColumnsOf(const std::vector<Cells>& rows)
 {
   std::vector<std::string> columns;
@@ -110,9 +79,79 @@ std::vector<std::string> ColumnsOf(const std::vector<Cells>& rows)
   return columns;
 }
 
+std::string MakeTable(const std::vector<Cells>& rows)
+{
+  if (rows.empty())
+  {
+    return {};
+  }
+  const std::vector<std::string> columns = ColumnsOf(rows);
+  std::ostringstream html;
+  html << "<div class=\"wide\"><table><tr>";
+  for (const std::string& column : columns)
+  {
+    html << "<th>" << html::Escaped(column) << "</th>";
+  }
+  for (const Cells& cells : rows)
+  {
+    html << "</tr>\n<tr>";
+    for (const std::string& column : columns)
+    {
+      const auto found = std::find_if(
+        cells.begin(), cells.end(), [&](const auto& named) { return named.first == column; });
+      const Cell cell = found == cells.end() ? Cell() : found->second;
+      html << (cell.IsNumber ? "<td class=\"number\">" : "<td>") << cell.Html << "</td>";
+    }
+  }
+  html << "</tr>\n</table></div>\n";
+  return html.str();
+}
+
+template <typename Item>
+std::string MakeTable(const std::vector<Item>& items, Cells (*cellsOf)(const Item&))
+{
+  std::vector<Cells> rows(items.size());
+  std::transform(items.begin(), items.end(), rows.begin(), cellsOf);
+  return MakeTable(rows);
+}
+
 std::string Verdict(bool isGood, const std::string& text)
 {
   return isGood ? text : "<span class=\"failed\">" + text + "</span>";
+}
+
+Cells CellsOf(const html::SuiteClaim& claim)
+{
+  std::string measured;
+  for (const BenchClaim::Measured& one : claim.Claim.Cases)
+  {
+    const std::string number = Number(one.Number) + (one.Met ? "" : " (not met)");
+    measured +=
+      (measured.empty() ? "" : ", ") + html::Escaped(one.Case) + " " + Verdict(one.Met, number);
+  }
+  const std::string suite = html::Escaped(claim.Suite);
+  return { { "suite", { "<a href=\"#" + suite + "\">" + suite + "</a>" } },
+    { "target", { html::Escaped(claim.Claim.Text) } }, { "measured", { measured } } };
+}
+
+Cells CellsOf(const StabilityCase& one)
+{
+  using html::Escaped;
+  return { { "class", { Escaped(one.Class) } }, { "case", { Escaped(one.Name) } },
+    { "what is extreme", { Escaped(one.Extreme) } }, { "expected", { Escaped(one.Expected) } },
+    { "measured", { Escaped(one.Measured) } },
+    { "bound", { std::isnan(one.Bound) ? "" : Number(one.Bound), true } },
+    { "method and steps", { Escaped(one.Method) } },
+    { "passed", { Verdict(one.Passed, one.Passed ? "yes" : "no") } },
+    { "test", { Escaped(one.Test) } } };
+}
+
+Cells CellsOf(const StabilityCount& count)
+{
+  return { { "class", { html::Escaped(count.Class) } },
+    { "cases", { std::to_string(count.Cases), true } },
+    { "compared with a bound", { std::to_string(count.Measured), true } },
+    { "passed", { Verdict(count.Passed == count.Cases, std::to_string(count.Passed)), true } } };
 }
 }
 
@@ -141,8 +180,8 @@ std::string FiguresOf(const std::vector<SuitePlot>& questions)
             << "</h3>\n<p class=\"answer\">"
             << (over ? Verdict(isOnFront, Escaped(AnswerOf(plot)))
                      : "No point of this size is the default's.")
-            << "</p>\n<a href=\"" << Escaped(plot.Name) << ".png\"><img src=\""
-            << Escaped(plot.Name) << ".png\" alt=\"" << Escaped(plot.Title)
+            << "</p>\n<a href=\"" << Escaped(plot.Name) << ".svg\"><img src=\""
+            << Escaped(plot.Name) << ".svg\" alt=\"" << Escaped(plot.Title)
             << "\"></a>\n<figcaption>" << Escaped(plot.Conditions) << " Rows: <a href=\"#"
             << Escaped(question.Suite) << "\">" << Escaped(question.Suite)
             << "</a>.</figcaption></figure>\n";
@@ -166,101 +205,22 @@ std::string TableOf(const std::vector<SuiteClaim>& claims)
   std::vector<SuiteClaim> sorted = claims;
   const auto firstMet = std::stable_partition(
     sorted.begin(), sorted.end(), [](const SuiteClaim& claim) { return !claim.Claim.IsMet(); });
-  std::ostringstream html;
-  html << "<p>" << sorted.end() - firstMet << " of " << sorted.size()
-       << " claims are met in every case.</p>\n<div class=\"wide\"><table><tr><th>suite</th>"
-       << "<th>wanted</th><th>measured</th></tr>\n";
-  for (const SuiteClaim& claim : sorted)
-  {
-    html << "<tr><td><a href=\"#" << Escaped(claim.Suite) << "\">" << Escaped(claim.Suite)
-         << "</a></td><td>" << Escaped(claim.Claim.Text) << "</td><td>";
-    const char* separator = "";
-    for (const BenchClaim::Measured& measured : claim.Claim.Cases)
-    {
-      const std::string number = Number(measured.Number) + (measured.Met ? "" : " (not met)");
-      html << separator << Escaped(measured.Case) << " " << Verdict(measured.Met, number);
-      separator = ", ";
-    }
-    html << "</td></tr>\n";
-  }
-  html << "</table></div>\n";
-  return html.str();
+  return "<p>" + std::to_string(sorted.end() - firstMet) + " of " + std::to_string(sorted.size()) +
+    " claims are met in every case.</p>\n" + MakeTable<SuiteClaim>(sorted, CellsOf);
 }
 
 std::string TableOf(const std::vector<BenchRow>& rows)
 {
-  if (rows.empty())
-  {
-    return {};
-  }
-  std::vector<Cells> table(rows.size());
-  std::transform(rows.begin(), rows.end(), table.begin(), &CellsOf);
-  const std::vector<std::string> columns = ColumnsOf(table);
-  std::ostringstream html;
-  html << "<div class=\"wide\"><table><tr>";
-  for (const std::string& column : columns)
-  {
-    html << "<th>" << Escaped(column) << "</th>";
-  }
-  html << "</tr>\n";
-  for (const Cells& cells : table)
-  {
-    html << "<tr>";
-    for (const std::string& column : columns)
-    {
-      const auto cell = std::find_if(
-        cells.begin(), cells.end(), [&](const auto& named) { return named.first == column; });
-      const bool isThere = cell != cells.end();
-      html << (isThere && cell->second.IsNumber ? "<td class=\"number\">" : "<td>")
-           << (isThere ? cell->second.Text : "") << "</td>";
-    }
-    html << "</tr>\n";
-  }
-  html << "</table></div>\n";
-  return html.str();
+  return MakeTable<BenchRow>(rows, CellsOf);
 }
 
 std::string TableOf(const std::vector<StabilityCase>& cases)
 {
-  if (cases.empty())
-  {
-    return {};
-  }
-  std::ostringstream html;
-  html << "<div class=\"wide\"><table><tr><th>class</th><th>case</th><th>what is extreme</th>"
-       << "<th>expected</th><th>measured</th><th>bound</th><th>method and steps</th>"
-       << "<th>passed</th><th>test</th></tr>\n";
-  for (const StabilityCase& oneCase : cases)
-  {
-    html << "<tr><td>" << Escaped(oneCase.Class) << "</td><td>" << Escaped(oneCase.Name)
-         << "</td><td>" << Escaped(oneCase.Extreme) << "</td><td>" << Escaped(oneCase.Expected)
-         << "</td><td>" << Escaped(oneCase.Measured) << "</td><td class=\"number\">"
-         << (std::isnan(oneCase.Bound) ? "" : Number(oneCase.Bound)) << "</td><td>"
-         << Escaped(oneCase.Method) << "</td><td>"
-         << Verdict(oneCase.Passed, oneCase.Passed ? "yes" : "no") << "</td><td>"
-         << Escaped(oneCase.Test) << "</td></tr>\n";
-  }
-  html << "</table></div>\n";
-  return html.str();
+  return MakeTable<StabilityCase>(cases, CellsOf);
 }
 
 std::string TableOf(const std::vector<StabilityCount>& counts)
 {
-  if (counts.empty())
-  {
-    return {};
-  }
-  std::ostringstream html;
-  html
-    << "<div class=\"wide\"><table><tr><th>class</th><th>cases</th><th>compared with a bound</th>"
-    << "<th>passed</th></tr>\n";
-  for (const StabilityCount& count : counts)
-  {
-    html << "<tr><td>" << Escaped(count.Class) << "</td><td class=\"number\">" << count.Cases
-         << "</td><td class=\"number\">" << count.Measured << "</td><td class=\"number\">"
-         << Verdict(count.Passed == count.Cases, std::to_string(count.Passed)) << "</td></tr>\n";
-  }
-  html << "</table></div>\n";
-  return html.str();
+  return MakeTable<StabilityCount>(counts, CellsOf);
 }
 }

@@ -100,6 +100,12 @@ std::function<std::optional<double>(const BenchRow&)> RatioWithOneThread(
   };
 }
 
+std::function<std::optional<double>(const BenchRow&)> RatioOf(const std::string& method)
+{
+  return [method](const BenchRow& row)
+  { return row.Method == method ? row.GetRatio() : std::nullopt; };
+}
+
 std::function<std::optional<double>(const BenchRow&)> CountOf(
   const std::string& method, const std::string& count)
 {

@@ -50,6 +50,11 @@ std::function<std::optional<double>(const BenchRow&)> RatioWithOneThread(
   const std::string& method, const std::string& peer);
 
 /**
+ * Likewise: the ratio of all rows of that method.
+ */
+std::function<std::optional<double>(const BenchRow&)> RatioOf(const std::string& method);
+
+/**
  * Likewise: a count of the rows of that method that have it.
  */
 std::function<std::optional<double>(const BenchRow&)> CountOf(

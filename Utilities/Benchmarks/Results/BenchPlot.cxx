@@ -14,17 +14,59 @@ std::vector<BenchPlot::Series>::iterator Find(
 }
 
 BenchPlot BenchPlot::OfErrors(const std::string& name, const std::string& title,
-  const std::string& timeLabel, const std::string& errorLabel)
+  const std::string& timeLabel, const std::string& errorLabel, const std::string& question,
+  const std::string& conditions)
 {
   BenchPlot plot;
   plot.Name = name;
   plot.Title = title;
+  plot.Question = question;
+  plot.Conditions = conditions;
   plot.XLabel = timeLabel;
   plot.YLabel = errorLabel;
   plot.LogX = true;
   plot.LogY = true;
   plot.HasFront = true;
   return plot;
+}
+
+BenchPlot BenchPlot::OfBars(
+  const std::string& name, const std::string& title, const std::string& label)
+{
+  BenchPlot plot;
+  plot.Kind = BARS;
+  plot.Name = name;
+  plot.Title = title;
+  plot.YLabel = label;
+  return plot;
+}
+
+void BenchPlot::AddBar(
+  const std::string& group, const std::string& label, bool isPeer, double height)
+{
+  const auto found = std::find(this->BarLabels.begin(), this->BarLabels.end(), group);
+  const auto position = static_cast<double>(found - this->BarLabels.begin());
+  if (found == this->BarLabels.end())
+  {
+    this->BarLabels.push_back(group);
+  }
+  this->AddPoint(label, isPeer, position, height);
+}
+
+void BenchPlot::AddRow(const BenchRow& row, bool isPeer, const std::string& label)
+{
+  if (row.Seconds && row.Error && *row.Error > 0.0)
+  {
+    this->AddPoint(
+      label.empty() ? row.Method : label, isPeer, *row.Seconds, *row.Error, row.GetParameterText());
+  }
+}
+
+BenchPlot& FindOrAdd(std::vector<BenchPlot>& plots, const BenchPlot& fresh)
+{
+  const auto found = std::find_if(plots.begin(), plots.end(),
+    [&fresh](const BenchPlot& plot) { return plot.Name == fresh.Name; });
+  return found == plots.end() ? plots.emplace_back(fresh) : *found;
 }
 
 void BenchPlot::AddPoint(

@@ -2,6 +2,8 @@
 #ifndef BenchPlot_h
 #define BenchPlot_h
 
+#include "Benchmarks/Results/BenchRow.h"
+
 #include <string>
 #include <vector>
 
@@ -57,11 +59,23 @@ struct BenchPlot
 
   /// An error against run time, both on logarithmic axes, with its front.
   static BenchPlot OfErrors(const std::string& name, const std::string& title,
-    const std::string& timeLabel, const std::string& errorLabel);
+    const std::string& timeLabel, const std::string& errorLabel, const std::string& question = {},
+    const std::string& conditions = {});
+
+  /// Bars, one group for each label.
+  static BenchPlot OfBars(
+    const std::string& name, const std::string& title, const std::string& label);
+
+  /// Adds a bar to the group of that label, which is appended if it is missing.
+  void AddBar(const std::string& group, const std::string& label, bool isPeer, double height);
 
   /// Adds a point to the series \a label, which is made where it is missing.
   void AddPoint(const std::string& label, bool isPeer, double x, double y,
     const std::string& name = std::string());
+
+  /// Adds the time and the error of \a row, named by its parameter, to the series \a label, by
+  /// default the row's method. An error of 0 has no place on a logarithmic axis and is skipped.
+  void AddRow(const BenchRow& row, bool isPeer, const std::string& label = {});
 
   /// Says that the series \a label, where it is, cannot be chosen.
   void SetNoChoice(const std::string& label);
@@ -70,5 +84,9 @@ struct BenchPlot
   /// such point.
   void SetDefault(const std::string& label, const std::string& name = std::string());
 };
+
+/// Returns the plot of the same name among \a plots, to which \a fresh is appended if it is
+/// missing.
+BenchPlot& FindOrAdd(std::vector<BenchPlot>& plots, const BenchPlot& fresh);
 
 #endif

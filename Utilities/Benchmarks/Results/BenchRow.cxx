@@ -84,6 +84,20 @@ std::ostream& operator<<(std::ostream& os, const BenchRow& row)
 }
 }
 
+void BenchRow::SetTimes(
+  const BenchSeconds& seconds, const std::string& peer, const BenchSeconds& peerSeconds)
+{
+  this->Seconds = seconds;
+  this->Peer = peer;
+  this->PeerSeconds = peerSeconds;
+}
+
+void BenchRow::SetError(const std::string& norm, double error)
+{
+  this->ErrorNorm = norm;
+  this->Error = error;
+}
+
 std::string BenchRow::GetParameterText() const
 {
   if (this->Parameter.is_number_float())
@@ -161,12 +175,14 @@ BenchRows::BenchRows(const std::string& suite)
 {
 }
 
-BenchRow BenchRows::Make(const std::string& theCase, const std::string& method) const
+BenchRow BenchRows::Make(const std::string& theCase, const std::string& method,
+  const nlohmann::ordered_json& parameter) const
 {
   BenchRow row;
   row.Suite = this->Suite;
   row.Case = theCase;
   row.Method = method;
+  row.Parameter = parameter;
   return row;
 }
 

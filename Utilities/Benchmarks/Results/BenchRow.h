@@ -31,6 +31,12 @@ struct BenchRow
   /// Named numbers.
   nlohmann::ordered_json Counts = nlohmann::ordered_json::object();
 
+  void SetTimes(
+    const BenchSeconds& seconds, const std::string& peer, const BenchSeconds& peerSeconds);
+  void SetError(const std::string& norm, double error);
+  /// Sets some of the counts.
+  void Set(const nlohmann::ordered_json& counts) { this->Counts.update(counts); }
+
   /// The parameter in words: text as it is, a real number by six digits, anything else as JSON.
   std::string GetParameterText() const;
 
@@ -52,9 +58,10 @@ public:
   explicit BenchRows(const std::string& suite);
 
   /**
-   * A row with the suite, case and method filled in.
+   * A row with the suite, case, method and parameter filled in.
    */
-  BenchRow Make(const std::string& theCase, const std::string& method) const;
+  BenchRow Make(const std::string& theCase, const std::string& method,
+    const nlohmann::ordered_json& parameter = nullptr) const;
   void Add(BenchRow row);
   const std::vector<BenchRow>& Get() const { return this->Rows; }
 

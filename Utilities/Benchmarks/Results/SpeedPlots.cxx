@@ -25,24 +25,15 @@ std::vector<BenchPlot> MakeRatioPlots(
   std::vector<BenchPlot> plots;
   for (const std::string& peer : PeersOf(method, rows))
   {
-    BenchPlot plot;
-    plot.Kind = BenchPlot::BARS;
-    plot.Name = suite + "-ratio-" + peer;
-    plot.Title = method + " against " + peer;
-    plot.YLabel = "time of " + peer + " / time of " + method;
+    BenchPlot plot = BenchPlot::OfBars(suite + "-ratio-" + peer, method + " against " + peer,
+      "time of " + peer + " / time of " + method);
     plot.Reference = 1.0;
     for (const BenchRow& row : rows)
     {
-      if (row.Method != method || row.Peer != peer || !row.GetRatio())
+      if (row.Method == method && row.Peer == peer && row.GetRatio())
       {
-        continue;
+        plot.AddBar(row.Case, row.GetParameterText(), false, *row.GetRatio());
       }
-      if (std::find(plot.BarLabels.begin(), plot.BarLabels.end(), row.Case) == plot.BarLabels.end())
-      {
-        plot.BarLabels.push_back(row.Case);
-      }
-      plot.AddPoint(row.GetParameterText(), false, static_cast<double>(plot.BarLabels.size() - 1),
-        *row.GetRatio());
     }
     plots.push_back(plot);
   }
@@ -59,24 +50,17 @@ std::vector<BenchPlot> MakeReExtractionPlots(
     {
       continue;
     }
-    const std::string name = suite + "-re-extract-" + row.Case;
-    if (plots.empty() || plots.back().Name != name)
-    {
-      BenchPlot plot;
-      plot.Name = name;
-      plot.Title = row.Case + ": a changed interval, with and without the value index, 1 thread";
-      plot.XLabel = "share of cells with output";
-      plot.YLabel = "run time (s)";
-      plot.LogX = true;
-      plot.LogY = true;
-      plot.DefaultSeries = row.Method;
-      plots.push_back(plot);
-    }
+    BenchPlot fresh = BenchPlot::OfErrors(suite + "-re-extract-" + row.Case,
+      row.Case + ": a changed interval, with and without the value index, 1 thread",
+      "share of cells with output", "run time (s)");
+    fresh.HasFront = false;
+    fresh.DefaultSeries = row.Method;
+    BenchPlot& plot = FindOrAdd(plots, fresh);
     const double share = row.Counts.at("share");
     if (share > 0.0)
     {
-      plots.back().AddPoint(row.Method, false, share, *row.Seconds);
-      plots.back().AddPoint(row.Peer, true, share, *row.PeerSeconds);
+      plot.AddPoint(row.Method, false, share, *row.Seconds);
+      plot.AddPoint(row.Peer, true, share, *row.PeerSeconds);
     }
   }
   return plots;

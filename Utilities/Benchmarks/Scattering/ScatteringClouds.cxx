@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Scattering/ScatteringClouds.h"
+#include "Benchmarks/Scattering/ScatteringParts.h"
 
 #include "Benchmarks/Scattering/ScatteringModes.h"
 #include "Transport/CloudCase.h"
@@ -98,15 +98,20 @@ std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
 BenchRow MakeRow(const BenchRows& rows, const std::string& method, const std::string& parameter,
   const BenchSeconds& seconds, double error)
 {
-  BenchRow row = rows.Make(CloudName, method);
-  row.Parameter = parameter;
+  BenchRow row = rows.Make(CloudName, method, parameter);
   row.Seconds = seconds;
-  row.Error = error;
-  row.ErrorNorm = Norm;
+  row.SetError(Norm, error);
   return row;
 }
-}
 
+/**
+ * Pictures of a cloud against those of reference::TraceScene. Methods `single`, `forward` and
+ * `full`; the parameter is `default`, or what is not: `grid 16`, `buffer 128`, `spacing 2`, in
+ * default spacings. Counts of the default of full: over_shadowed, its time over that of the same
+ * picture without scattered light. `monte-carlo`: the parameter is the number of paths of a pixel,
+ * the error that of its noise. `equal-error`: the default of full, and as peer the time that
+ * `monte-carlo` takes for the same error.
+ */
 void AddCloudRows(const BenchOptions& options, BenchRows& rows)
 {
   const reference::ShadowScene scene =
@@ -172,6 +177,12 @@ void AddCloudRows(const BenchOptions& options, BenchRows& rows)
   }
 }
 
+/**
+ * Pictures of the cloud where only the view turns, so that scattered light is kept. Methods
+ * `single`, `forward`, `full`; the parameter is the number of columns and rows of the picture, the
+ * peer the same picture without scattered light. Counts: view_over_shadowed, the times' ratio;
+ * solves, how often scattered light was found, once.
+ */
 void AddViewRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const int pixels : options.Pick<std::vector<int>>({ 128, 512 }, { 128 }, { 8 }))
@@ -194,13 +205,10 @@ void AddViewRows(const BenchOptions& options, BenchRows& rows)
     const std::vector<BenchSeconds> seconds = MeasureAlternately(works, options.GetRepeats());
     for (std::size_t i = 0; i + 1 < settings.size(); ++i)
     {
-      BenchRow row = rows.Make("cloud, the view turns", settings[i].Mode);
-      row.Parameter = pixels;
-      row.Seconds = seconds[i];
-      row.Peer = Shadowed;
-      row.PeerSeconds = seconds.back();
-      row.Counts["view_over_shadowed"] = seconds[i] / seconds.back();
-      row.Counts["solves"] = settings[i].Drawn->GetSlices()->GetReport().ScatteringSolves;
+      BenchRow row = rows.Make("cloud, the view turns", settings[i].Mode, pixels);
+      row.SetTimes(seconds[i], Shadowed, seconds.back());
+      row.Set({ { "view_over_shadowed", seconds[i] / seconds.back() },
+        { "solves", settings[i].Drawn->GetSlices()->GetReport().ScatteringSolves } });
       rows.Add(row);
     }
   }
@@ -208,24 +216,38 @@ void AddViewRows(const BenchOptions& options, BenchRows& rows)
 
 std::vector<BenchPlot> MakeCloudPlots(const std::vector<BenchRow>& rows)
 {
-  BenchPlot plot =
-    BenchPlot::OfErrors("scattering-cloud", "cloud: error against run time, one light",
-      "time of a frame whose light has moved (s)", std::string("error: ") + Norm);
-  plot.Question = "Which method for scattered light, in how many cells?";
-  plot.Conditions = "A cloud under one light, cells along the longest edge at each point, against "
-                    "paths of light by Monte Carlo, whose own error is on the plot too.";
+  BenchPlot plot = BenchPlot::OfErrors("scattering-cloud",
+    "cloud: error against run time, one light", "time of a frame whose light has moved (s)",
+    std::string("error: ") + Norm, "Which method for scattered light, in how many cells?",
+    "A cloud under one light, cells along the longest edge at each point, against paths of light "
+    "by Monte Carlo, whose own error is on the plot too.");
   for (const BenchRow& row : rows)
   {
-    if (row.Case == CloudName && row.Method != EqualError && row.Error && *row.Error > 0.0)
+    if (row.Case == CloudName && row.Method != EqualError)
     {
-      plot.AddPoint(row.Method, row.Method == MonteCarlo || row.Method == Shadowed, *row.Seconds,
-        *row.Error, row.GetParameterText());
-      if (row.Method == Full && row.Parameter == Default)
-      {
-        plot.SetDefault(Full, row.GetParameterText());
-      }
+      plot.AddRow(row, row.Method == MonteCarlo || row.Method == Shadowed);
     }
   }
-  return plot.AllSeries.empty() ? std::vector<BenchPlot>() : std::vector<BenchPlot>{ plot };
+  plot.SetDefault(Full, Default);
+  return { plot };
+}
+}
+
+BenchPart MakeCloudPart()
+{
+  const auto check = [](const std::vector<BenchRow>& rows) -> std::vector<BenchClaim>
+  {
+    return { BenchClaim::AtMost("full at most 2 times the time of shadows alone", 2.0, rows,
+               CountOf(Full, "over_shadowed")),
+      BenchClaim::AtMost(
+        "full at most 1.25 times the time of shadows alone while only the view turns", 1.25, rows,
+        CountOf(Full, "view_over_shadowed")) };
+  };
+  return { [](const BenchOptions& options, BenchRows& rows)
+    {
+      AddCloudRows(options, rows);
+      AddViewRows(options, rows);
+    },
+    MakeCloudPlots, check };
 }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Scattering/ScatteringSlabs.h"
+#include "Benchmarks/Scattering/ScatteringParts.h"
 
 #include "Benchmarks/Scattering/SlabDrawing.h"
 #include "Transport/SlabTransport.h"
@@ -63,13 +63,11 @@ void AddMonteCarloRow(const Published& slab, const BenchOptions& options, BenchR
       result = Trace(slab.Matter, paths, options.Seed);
       return vtkSmartPointer<vtkObjectBase>();
     }));
-  BenchRow row = rows.Make(slab.Name, MonteCarlo);
-  row.Parameter = paths;
+  BenchRow row = rows.Make(slab.Name, MonteCarlo, paths);
   row.Seconds = seconds;
-  row.ErrorNorm = "relative standard error of the reflection";
-  row.Error = result.Reflected.StandardError / slab.Reflected;
-  row.Counts["reflected"] = result.Reflected.Value;
-  row.Counts["transmitted"] = result.Transmitted.Value;
+  row.SetError(
+    "relative standard error of the reflection", result.Reflected.StandardError / slab.Reflected);
+  row.Set({ { "reflected", result.Reflected.Value }, { "transmitted", result.Transmitted.Value } });
   rows.Add(row);
 }
 
@@ -79,13 +77,10 @@ void AddModeRow(reference::VolumeStage& stage, const Published& slab, const std:
   SlabDrawing drawing(stage, slab.Matter, mode, across);
   const double reflected = drawing.GetFlux(true);
   const double transmitted = drawing.GetFlux(false);
-  BenchRow row = rows.Make(slab.Name, mode);
-  row.Parameter = drawing.GetAcross();
-  row.ErrorNorm = Norm;
-  row.Error = std::abs(reflected - slab.Reflected) / slab.Reflected;
-  row.Counts["reflected"] = reflected;
-  row.Counts["published_reflected"] = slab.Reflected;
-  row.Counts["transmitted"] = transmitted;
+  BenchRow row = rows.Make(slab.Name, mode, drawing.GetAcross());
+  row.SetError(Norm, std::abs(reflected - slab.Reflected) / slab.Reflected);
+  row.Set({ { "reflected", reflected }, { "published_reflected", slab.Reflected },
+    { "transmitted", transmitted } });
   if (slab.Transmitted > 0.0)
   {
     row.Error = std::max(*row.Error, std::abs(transmitted - slab.Transmitted) / slab.Transmitted);
@@ -101,8 +96,15 @@ std::string ToText(double number)
   text << number;
   return text.str();
 }
-}
 
+/**
+ * Slabs of van de Hulst's tables, drawn from directions on both sides and integrated over them,
+ * against the published reflection and transmission. A case is a row of a table; those of light
+ * that grazes are in the full suite alone. Methods `single`, `forward`, `full`; the parameter is
+ * the number of cells of the grid through the slab. Errors are relative, the larger of both sides;
+ * counts reflected, transmitted (scattered light alone) and what is published. `monte-carlo`: the
+ * parameter is the number of paths of reference::TraceSlab, the error its standard error.
+ */
 void AddSlabRows(const BenchOptions& options, BenchRows& rows)
 {
   const std::array<int, 2> pixels = { { 4, 4 } };
@@ -131,6 +133,13 @@ void AddSlabRows(const BenchOptions& options, BenchRows& rows)
   }
 }
 
+/**
+ * Where `full` holds: the same errors of slabs in light at right angles, against
+ * reference::TraceSlab. A row for each phase function and albedo, with the differences at each
+ * depth as counts, reflected and transmitted, relative, where that is more than a thousandth of the
+ * light; the error is the largest. Then how many of
+ * these settings are within 5, 10 and 20 %.
+ */
 void AddLimitRows(const BenchOptions& options, BenchRows& rows)
 {
   using Values = std::vector<double>;
@@ -142,10 +151,8 @@ void AddLimitRows(const BenchOptions& options, BenchRows& rows)
   {
     for (const double albedo : options.Pick<Values>({ 0.5, 0.9, 0.99, 1.0 }, { 0.9, 1.0 }, { 1.0 }))
     {
-      BenchRow row = rows.Make("limits", Full);
-      row.Parameter = "g " + ToText(g) + ", albedo " + ToText(albedo);
-      row.ErrorNorm = Norm;
-      row.Error = 0.0;
+      BenchRow row = rows.Make("limits", Full, "g " + ToText(g) + ", albedo " + ToText(albedo));
+      row.SetError(Norm, 0.0);
       for (const double depth :
         options.Pick<Values>({ 0.25, 1.0, 4.0, 16.0, 64.0 }, { 1.0, 4.0 }, { 1.0 }))
       {
@@ -173,12 +180,21 @@ void AddLimitRows(const BenchOptions& options, BenchRows& rows)
   }
   for (const double bound : { 0.05, 0.1, 0.2 })
   {
-    BenchRow row = rows.Make("limits", Full);
-    row.Parameter = "within " + ToText(bound);
+    BenchRow row = rows.Make("limits", Full, "within " + ToText(bound));
     row.Counts["settings"] = errors.size();
     row.Counts["within"] =
       std::count_if(errors.begin(), errors.end(), [bound](double error) { return error <= bound; });
     rows.Add(row);
   }
+}
+}
+
+BenchPart MakeSlabPart()
+{
+  return { [](const BenchOptions& options, BenchRows& rows)
+    {
+      AddSlabRows(options, rows);
+      AddLimitRows(options, rows);
+    } };
 }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Shadows/ShadowsError.h"
+#include "Benchmarks/Shadows/ShadowsParts.h"
 
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Shadows/GpuShadows.h"
@@ -38,15 +38,6 @@ std::vector<Case> MakeCases(const BenchOptions& options)
   return WithPixels(
     { MakeSphere(points), MakeRings(points), MakeBonsai(step, step) }, options.Pick(256, 64, 16));
 }
-
-/// A method at one of its settings, and what was found.
-struct Setting
-{
-  std::string Name;
-  double Parameter;
-  MethodPointer Drawn;
-  BenchSeconds Seconds = {};
-};
 
 /// The default distance of slices, in world units.
 double GetDefaultSpacing(reference::VolumeStage& stage, const reference::ShadowScene& scene)
@@ -111,11 +102,11 @@ struct Limits
   }
 };
 
-void AddRowsOf(Setting& setting, const std::string& name, const Limits& limits, BenchRows& rows)
+void AddRowsOf(
+  const Setting& setting, const std::string& name, const Limits& limits, BenchRows& rows)
 {
   const reference::RgbaPicture picture = setting.Drawn->Capture();
-  BenchRow row = rows.Make(name, setting.Name);
-  row.Parameter = setting.Parameter;
+  BenchRow row = rows.Make(name, setting.Name, setting.Parameter);
   row.Seconds = setting.Seconds;
   if (vtkShadowedSliceMapper* slices = setting.Drawn->GetSlices())
   {
@@ -124,8 +115,7 @@ void AddRowsOf(Setting& setting, const std::string& name, const Limits& limits, 
   const auto add = [&](const char* norm, const reference::RgbaPicture& limit)
   {
     const reference::PictureError error = reference::ComparePictures(picture, limit);
-    row.ErrorNorm = norm;
-    row.Error = error.Mean;
+    row.SetError(norm, error.Mean);
     row.Counts["largest_error"] = error.Max;
     rows.Add(row);
   };
@@ -138,18 +128,11 @@ void AddSceneRows(reference::VolumeStage& stage, const std::string& name,
 {
   const double spacing = GetDefaultSpacing(stage, scene);
   std::vector<Setting> settings = MakeSettings(stage, scene, spacing, hasPeer, options);
-  std::vector<BenchWork> works;
-  works.reserve(settings.size());
+  MeasureFrames(settings, options.Threads, Repeats);
+  const Limits limits(stage, scene, spacing, options.Pick(512, 128, 64), hasPeer);
   for (const Setting& setting : settings)
   {
-    works.push_back(setting.Drawn->GetFrame(options.Threads));
-  }
-  const std::vector<BenchSeconds> seconds = MeasureAlternately(works, Repeats);
-  const Limits limits(stage, scene, spacing, options.Pick(512, 128, 64), hasPeer);
-  for (std::size_t i = 0; i < settings.size(); ++i)
-  {
-    settings[i].Seconds = seconds[i];
-    AddRowsOf(settings[i], name, limits, rows);
+    AddRowsOf(setting, name, limits, rows);
   }
 }
 
@@ -213,16 +196,28 @@ void AddEqualErrorRow(const std::string& name, const char* norm, BenchRows& rows
     return;
   }
   BenchRow row = rows.Make(name, EqualError);
-  row.Error = ours->Error;
-  row.ErrorNorm = norm;
-  row.Seconds = ours->Seconds;
-  row.Peer = GpuShadowsPeer;
-  row.PeerSeconds = GetSecondsAt(*ours->Error, peers);
+  row.SetError(norm, *ours->Error);
+  row.SetTimes(*ours->Seconds, GpuShadowsPeer, GetSecondsAt(*ours->Error, peers));
   row.Counts["at_least"] = peers.back().Error > *ours->Error ? 1 : 0;
   rows.Add(row);
 }
-}
 
+/**
+ * Pictures of one light against a ray marcher in double precision with shadow rays, as
+ * `<case>, scattering` (see MakeScattering) and `<case>, shaded` (without gpu-shadows, whose
+ * shading is another). Methods:
+ * - `spacing`: the parameter is the distance of slices over the default one;
+ * - `buffer`: the parameter is the size of the light's buffer;
+ * - `gpu-shadows`: the parameter is the distance of samples in voxels.
+ *
+ * One row for each norm: `channel difference, mean`, with the marcher's picture, and
+ * `channel difference from its own limit, mean`, with the same mapper's picture with slices at
+ * an eighth of the default distance or samples every quarter of a voxel.
+ *
+ * Rows of method `equal-error`: the time of the default, and as peer_seconds that of gpu-shadows
+ * where its line in the log-log plot has the same error; with at_least 1 in the counts where it
+ * never has, and the time is that of its smallest error.
+ */
 void AddErrorRows(const BenchOptions& options, BenchRows& rows)
 {
   const std::vector<Case> cases = MakeCases(options);
@@ -241,11 +236,9 @@ void AddErrorRows(const BenchOptions& options, BenchRows& rows)
 
 std::vector<BenchClaim> CheckErrorClaims(const std::vector<BenchRow>& rows)
 {
-  const auto ratio = [](const BenchRow& row)
-  { return row.Method == EqualError ? row.GetRatio() : std::nullopt; };
   return { BenchClaim::AtLeast(
     std::string("at equal error at least 5 times faster than ") + GpuShadowsPeer, 5.0, rows,
-    ratio) };
+    RatioOf(EqualError)) };
 }
 
 std::vector<BenchPlot> MakeErrorPlots(const std::vector<BenchRow>& rows)
@@ -253,31 +246,31 @@ std::vector<BenchPlot> MakeErrorPlots(const std::vector<BenchRow>& rows)
   std::vector<BenchPlot> plots;
   for (const BenchRow& row : rows)
   {
-    if (row.ErrorNorm != MarcherNorm || row.Method == EqualError || !(*row.Error > 0.0))
+    if (row.ErrorNorm != MarcherNorm || row.Method == EqualError)
     {
       continue;
     }
-    if (plots.empty() || plots.back().Title.compare(0, row.Case.size(), row.Case) != 0)
-    {
-      plots.push_back(
-        BenchPlot::OfErrors("shadows-error-" + row.Case.substr(0, row.Case.find('-')) +
-            (row.Case.find(Scattering) == std::string::npos ? "-shaded" : "-scattering"),
-          row.Case + ": error against run time, one light", "time of a frame (s)",
-          std::string("error: ") + MarcherNorm));
-      plots.back().Question =
-        "How far apart are slices to be, and how fine a light's buffer (" + row.Case + ")?";
-      plots.back().Conditions =
+    BenchPlot& plot = FindOrAdd(plots,
+      BenchPlot::OfErrors("shadows-error-" + row.Case.substr(0, row.Case.find('-')) +
+          (row.Case.find(Scattering) == std::string::npos ? "-shaded" : "-scattering"),
+        row.Case + ": error against run time, one light", "time of a frame (s)",
+        std::string("error: ") + MarcherNorm,
+        "How far apart are slices to be, and how fine a light's buffer (" + row.Case + ")?",
         "Distance of slices over the default one, columns of the light's buffer, and, from VTK 9.2 "
-        "on, distance of the peer's samples in voxels; against a ray marcher in double precision.";
-    }
-    BenchPlot& plot = plots.back();
-    plot.AddPoint(
-      row.Method, row.Method == GpuShadowsPeer, *row.Seconds, *row.Error, row.GetParameterText());
+        "on, distance of the peer's samples in voxels; against a ray marcher in double "
+        "precision."));
+    plot.AddRow(row, row.Method == GpuShadowsPeer);
     if (row.Method == Spacing && row.Parameter == 1.0)
     {
       plot.SetDefault(row.Method, row.GetParameterText());
     }
   }
   return plots;
+}
+}
+
+BenchPart MakeErrorPart()
+{
+  return { AddErrorRows, MakeErrorPlots, CheckErrorClaims };
 }
 }

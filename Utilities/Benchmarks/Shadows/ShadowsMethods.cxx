@@ -132,20 +132,28 @@ MethodPointer MakeShadowRays(
   return std::make_unique<Method>(stage, shaded, mapper);
 }
 
+void MeasureFrames(std::vector<Setting>& settings, int threads, int repeats)
+{
+  std::vector<BenchWork> works;
+  for (const Setting& setting : settings)
+  {
+    works.push_back(setting.Drawn->GetFrame(threads));
+  }
+  const std::vector<BenchSeconds> seconds = MeasureAlternately(works, repeats);
+  for (std::size_t i = 0; i < settings.size(); ++i)
+  {
+    settings[i].Seconds = seconds[i];
+  }
+}
+
 void AddReport(const vtkShadowedSliceReport& report, BenchRow& row)
 {
-  row.Counts["lights"] = report.Lights;
-  row.Counts["shadowed_lights"] = report.ShadowedLights;
-  row.Counts["sweeps"] = report.Sweeps;
-  row.Counts["slices"] = report.SlicesDrawn;
-  row.Counts["eye_passes"] = report.EyePasses;
-  row.Counts["light_passes"] = report.LightPasses;
-  row.Counts["light_buffers"] = report.LightBuffers;
-  row.Counts["light_buffer_size"] = report.LightBufferSize;
-  row.Counts["light_buffer_bytes"] = report.LightBufferBytes;
-  row.Counts["image_buffer_bytes"] = report.ImageBufferBytes;
-  row.Counts["texture_bytes"] = report.TextureBytes;
-  row.Counts["blocks"] = report.Blocks;
-  row.Counts["blocks_drawn"] = report.BlocksDrawn;
+  row.Set({ { "lights", report.Lights }, { "shadowed_lights", report.ShadowedLights },
+    { "sweeps", report.Sweeps }, { "slices", report.SlicesDrawn },
+    { "eye_passes", report.EyePasses }, { "light_passes", report.LightPasses },
+    { "light_buffers", report.LightBuffers }, { "light_buffer_size", report.LightBufferSize },
+    { "light_buffer_bytes", report.LightBufferBytes },
+    { "image_buffer_bytes", report.ImageBufferBytes }, { "texture_bytes", report.TextureBytes },
+    { "blocks", report.Blocks }, { "blocks_drawn", report.BlocksDrawn } });
 }
 }

@@ -15,6 +15,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 class vtkCamera;
 class vtkVolumeMapper;
@@ -76,6 +77,19 @@ MethodPointer MakeRays(
   reference::VolumeStage& stage, const reference::ShadowScene& scene, double sampleDistance);
 MethodPointer MakeShadowRays(
   reference::VolumeStage& stage, const reference::ShadowScene& scene, double sampleDistance);
+
+/// A method at one of its settings, and what was measured.
+struct Setting
+{
+  std::string Name;
+  double Parameter = 0.0;
+  MethodPointer Drawn;
+  BenchSeconds Seconds = {};
+  double Error = 0.0;
+};
+
+/// Times a frame of each, in turn.
+void MeasureFrames(std::vector<Setting>& settings, int threads, int repeats);
 
 /// Adds counts of the mapper's last picture: slices, passes, lights and their buffers, bytes.
 void AddReport(const vtkShadowedSliceReport& report, BenchRow& row);

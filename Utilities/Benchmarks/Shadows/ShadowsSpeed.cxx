@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Shadows/ShadowsSpeed.h"
+#include "Benchmarks/Shadows/ShadowsParts.h"
 
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Shadows/ShadowsMethods.h"
@@ -42,16 +42,8 @@ std::vector<Case> MakeCases(const BenchOptions& options)
   return WithPixels(std::move(cases), options.Pick(512, 192, 32));
 }
 
-/// A method that takes its turn, and its name in the rows.
-struct Turn
-{
-  std::string Name;
-  int NumberOfLights;
-  MethodPointer Drawn;
-  BenchSeconds Seconds = {};
-};
-
-using Turns = std::vector<Turn>;
+/// Methods by their names and numbers of lights.
+using Turns = std::vector<Setting>;
 
 reference::ShadowScene WithLights(
   const reference::ShadowScene& scene, const Lights& lights, bool hasShadows, bool isShaded)
@@ -75,7 +67,7 @@ Turns MakeTurns(reference::VolumeStage& stage, const reference::ShadowScene& sce
   {
     if (method)
     {
-      turns.push_back({ name, number, std::move(method) });
+      turns.push_back({ name, static_cast<double>(number), std::move(method) });
     }
   };
   for (const int number : NumbersOfLights)
@@ -92,10 +84,10 @@ Turns MakeTurns(reference::VolumeStage& stage, const reference::ShadowScene& sce
   return turns;
 }
 
-const Turn* Find(const Turns& turns, const std::string& name, int number)
+const Setting* Find(const Turns& turns, const std::string& name, int number)
 {
   const auto found = std::find_if(turns.begin(), turns.end(),
-    [&](const Turn& turn) { return turn.Name == name && turn.NumberOfLights == number; });
+    [&](const Setting& turn) { return turn.Name == name && turn.Parameter == number; });
   return found == turns.end() ? nullptr : &*found;
 }
 
@@ -107,26 +99,23 @@ struct RowMaker
   const std::string& Device;
   BenchRows& Rows;
 
-  void Add(const Turn& turn, const Turn* peer) const
+  void Add(const Setting& turn, const Setting* peer) const
   {
     if (!peer)
     {
       return;
     }
-    BenchRow row = this->Rows.Make(this->What.Name, turn.Name);
-    row.Parameter = turn.NumberOfLights;
-    row.Seconds = turn.Seconds;
-    row.Peer = peer->Name;
-    row.PeerSeconds = peer->Seconds;
+    BenchRow row = this->Rows.Make(this->What.Name, turn.Name, static_cast<int>(turn.Parameter));
+    row.SetTimes(turn.Seconds, peer->Name, peer->Seconds);
     AddReport(turn.Drawn->GetSlices()->GetReport(), row);
     if (row.Peer == Off)
     {
-      row.Counts["over_off"] = turn.Seconds / peer->Seconds;
-      row.Counts["over_one_light"] = turn.Seconds / Find(this->All, On, 1)->Seconds;
+      row.Set({ { "over_off", turn.Seconds / peer->Seconds },
+        { "over_one_light", turn.Seconds / Find(this->All, On, 1)->Seconds } });
     }
-    row.Counts["voxels"] = this->What.Scene.Image->GetNumberOfPoints();
-    row.Counts["pixels"] = this->What.Scene.Size[0] * this->What.Scene.Size[1];
-    row.Counts["device"] = this->Device;
+    row.Set({ { "voxels", this->What.Scene.Image->GetNumberOfPoints() },
+      { "pixels", this->What.Scene.Size[0] * this->What.Scene.Size[1] },
+      { "device", this->Device } });
     this->Rows.Add(row);
   }
 };
@@ -136,23 +125,13 @@ void AddRows(
 {
   Turns turns = MakeTurns(stage, what.Scene);
   const std::string device = stage.GetDevice();
-  std::vector<BenchWork> works;
-  works.reserve(turns.size());
-  for (const Turn& turn : turns)
-  {
-    works.push_back(turn.Drawn->GetFrame(options.Threads));
-  }
-  const std::vector<BenchSeconds> seconds = MeasureAlternately(works, options.GetRepeats());
-  for (std::size_t i = 0; i < turns.size(); ++i)
-  {
-    turns[i].Seconds = seconds[i];
-  }
+  MeasureFrames(turns, options.Threads, options.GetRepeats());
   const RowMaker maker{ what, turns, device, rows };
-  for (const Turn& turn : turns)
+  for (const Setting& turn : turns)
   {
     if (turn.Name == On || turn.Name == BothSides)
     {
-      maker.Add(turn, Find(turns, Off, turn.NumberOfLights));
+      maker.Add(turn, Find(turns, Off, static_cast<int>(turn.Parameter)));
     }
   }
   maker.Add(*Find(turns, Unlit, 1), Find(turns, NoLights, 0));
@@ -186,8 +165,16 @@ std::optional<double> OverFurtherLight(const BenchRow& row)
   const double further = row.Parameter.get<double>() - 1.0;
   return 1.0 + (row.Counts["over_one_light"].get<double>() - 1.0) / further;
 }
-}
 
+/**
+ * One frame of each case. The parameter is the number of lights. Methods:
+ * - `shadows` against the peer `shadows-off`, the same lights without shadows; over_off is the time
+ *   over that of the peer, over_one_light that over the time with one light;
+ * - `shadows, both sides`: of two lights one is behind the volume;
+ * - `shadows` of one light against `gpu-shadows`, and `shadows-off` against `gpu`;
+ * - `unlit`, a light that neither shades nor casts shadows, against `no-lights`, the same volume in
+ *   a scene without lights.
+ */
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 {
   const std::vector<Case> cases = MakeCases(options);
@@ -217,26 +204,24 @@ std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
 
 std::vector<BenchPlot> MakeSpeedPlots(const std::vector<BenchRow>& rows)
 {
-  BenchPlot plot;
-  plot.Kind = BenchPlot::BARS;
-  plot.Name = "shadows-lights";
-  plot.Title = "shadows of 1, 2 and 4 lights";
-  plot.YLabel = "time / time without shadows";
+  BenchPlot plot = BenchPlot::OfBars(
+    "shadows-lights", "shadows of 1, 2 and 4 lights", "time / time without shadows");
   plot.Reference = 1.0;
   for (const BenchRow& row : rows)
   {
-    if (row.Method != On || row.Peer != Off)
+    if (row.Method == On && row.Peer == Off)
     {
-      continue;
+      const int lights = row.Parameter.get<int>();
+      plot.AddBar(row.Case, std::to_string(lights) + (lights == 1 ? " light" : " lights"), false,
+        row.Counts["over_off"].get<double>());
     }
-    if (plot.BarLabels.empty() || plot.BarLabels.back() != row.Case)
-    {
-      plot.BarLabels.push_back(row.Case);
-    }
-    const int lights = row.Parameter.get<int>();
-    plot.AddPoint(std::to_string(lights) + (lights == 1 ? " light" : " lights"), false,
-      static_cast<double>(plot.BarLabels.size() - 1), row.Counts["over_off"].get<double>());
   }
   return { plot };
+}
+}
+
+BenchPart MakeSpeedPart()
+{
+  return { AddSpeedRows, MakeSpeedPlots, CheckSpeedClaims };
 }
 }

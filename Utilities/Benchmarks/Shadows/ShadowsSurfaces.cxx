@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Shadows/ShadowsSurfaces.h"
+#include "Benchmarks/Shadows/ShadowsParts.h"
 
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Pictures/ReferenceShadowPicture.h"
@@ -80,8 +80,16 @@ std::vector<Surface> MakeSurfaces(const BenchOptions& options)
   }
   return surfaces;
 }
-}
 
+/**
+ * Method `surfaces`, at the mapper's own settings: an opaque cube and a plate whose opacity jumps,
+ * under light from 0 to 60 degrees, against closed forms; a ball of steps of opacity, a thin shell,
+ * a sheet of one voxel and three CT volumes, with ramps and with steps of opacity, by scattered
+ * light, against the ray marcher. The error is the mean difference of a pixel's red, over the
+ * pixels that show anything; p95, largest and rms are of the same, rms over the mean of what is
+ * expected, and brightness is the picture's mean over that, less 1. Seconds are those of a frame of
+ * 512^2; the peer is `shadows-off`.
+ */
 void AddSurfaceRows(const BenchOptions& options, BenchRows& rows)
 {
   const int pixels = options.Pick(512, 192, 32);
@@ -98,17 +106,18 @@ void AddSurfaceRows(const BenchOptions& options, BenchRows& rows)
     reference::VolumeStage small(surface.Scene.Size);
     const SurfaceErrors errors = surface.Measure(MakeSlices(small, surface.Scene)->Capture());
     BenchRow row = rows.Make(surface.Name, "surfaces");
-    row.Error = errors.Mean;
-    row.ErrorNorm = "red difference, mean over what is seen";
-    row.Seconds = seconds[0];
-    row.Peer = "shadows-off";
-    row.PeerSeconds = seconds[1];
+    row.SetError("red difference, mean over what is seen", errors.Mean);
+    row.SetTimes(seconds[0], "shadows-off", seconds[1]);
     AddReport(on->GetSlices()->GetReport(), row);
-    row.Counts["p95"] = errors.P95;
-    row.Counts["largest"] = errors.Max;
-    row.Counts["rms"] = errors.Rms;
-    row.Counts["brightness"] = errors.Bias;
+    row.Set({ { "p95", errors.P95 }, { "largest", errors.Max }, { "rms", errors.Rms },
+      { "brightness", errors.Bias } });
     rows.Add(row);
   }
+}
+}
+
+BenchPart MakeSurfacePart()
+{
+  return { AddSurfaceRows };
 }
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Shadows/SoftShadowsError.h"
+#include "Benchmarks/Shadows/ShadowsParts.h"
 
 #include "Benchmarks/Measures/BenchTiming.h"
-#include "Benchmarks/Measures/ProcessorClock.h"
 #include "Benchmarks/Shadows/ShadowsMethods.h"
 #include "Benchmarks/Shadows/ShadowsScene.h"
 
@@ -50,18 +49,6 @@ std::vector<Case> MakeCases(const BenchOptions& options)
   return cases;
 }
 
-/// A method at one of its settings, and what was found.
-struct Setting
-{
-  std::string Name;
-  double Parameter = 0.0;
-  MethodPointer Drawn;
-  BenchSeconds Seconds;
-  double ProcessorSeconds = 0.0;
-  ProcessorClock Clock{};
-  double Error = 0.0;
-};
-
 Change WithSamples(int method, int samples)
 {
   return [=](vtkShadowedSliceMapper* mapper)
@@ -108,12 +95,8 @@ std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
   const double spacing = plain.SliceSpacing;
   using Mapper = vtkShadowedSliceMapper;
   std::vector<Setting> settings;
-  const auto put = [&settings](const std::string& name, double parameter, MethodPointer drawn)
-  {
-    Setting& setting = settings.emplace_back();
-    setting.Name = name;
-    setting.Parameter = parameter;
-    setting.Drawn = std::move(drawn);
+  const auto put = [&settings](const std::string& name, double parameter, MethodPointer drawn) {
+    settings.push_back({ name, parameter, std::move(drawn) });
   };
   const auto add = [&](const std::string& name, double parameter, const Change& change)
   { put(name, parameter, MakeSlices(stage, scene, change)); };
@@ -212,12 +195,10 @@ const Setting& Find(const std::vector<Setting>& settings, const char* name)
 
 BenchRow MakeRow(const Setting& setting, const std::string& name, const BenchRows& rows)
 {
-  BenchRow row = rows.Make(name, setting.Name);
-  row.Parameter = setting.Parameter;
+  BenchRow row = rows.Make(name, setting.Name, setting.Parameter);
   row.Seconds = setting.Seconds;
-  row.Counts["processor_seconds"] = setting.ProcessorSeconds;
-  row.ErrorNorm = Norm;
-  row.Error = setting.Error;
+  row.Counts["processor_seconds"] = setting.Seconds.Processor;
+  row.SetError(Norm, setting.Error);
   AddReport(setting.Drawn->GetSlices()->GetReport(), row);
   return row;
 }
@@ -233,11 +214,11 @@ const Setting& FindEqualTime(const std::vector<Setting>& settings, double second
     {
       continue;
     }
-    const double time = setting.ProcessorSeconds;
+    const double time = setting.Seconds.Processor;
     const bool isInTime = time <= seconds;
     const bool isBest = !best ||
-      (best->ProcessorSeconds > seconds ? time < best->ProcessorSeconds
-                                        : isInTime && setting.Error < best->Error);
+      (best->Seconds.Processor > seconds ? time < best->Seconds.Processor
+                                         : isInTime && setting.Error < best->Error);
     best = isBest ? &setting : best;
   }
   return *best;
@@ -250,19 +231,11 @@ void AddSceneRows(
   plain->Capture();
   const vtkShadowedSliceReport report = plain->GetSlices()->GetReport();
   std::vector<Setting> settings = MakeSettings(stage, what.Scene, report, options);
-  std::vector<BenchWork> works;
-  works.reserve(settings.size());
+  MeasureFrames(settings, options.Threads, Repeats);
+  const reference::RgbaPicture limit = MakeLimit(stage, what.Scene, report.SliceSpacing, options);
   for (Setting& setting : settings)
   {
-    works.push_back(setting.Clock.Watch(setting.Drawn->GetFrame(options.Threads)));
-  }
-  const std::vector<BenchSeconds> seconds = MeasureAlternately(works, Repeats);
-  const reference::RgbaPicture limit = MakeLimit(stage, what.Scene, report.SliceSpacing, options);
-  for (std::size_t i = 0; i < settings.size(); ++i)
-  {
-    settings[i].Seconds = seconds[i];
-    settings[i].ProcessorSeconds = settings[i].Clock.Take();
-    settings[i].Error = reference::ComparePictures(settings[i].Drawn->Capture(), limit).Mean;
+    setting.Error = reference::ComparePictures(setting.Drawn->Capture(), limit).Mean;
   }
   const Setting& usual = Find(settings, Default);
   const Setting& hard = Find(settings, Hard);
@@ -273,11 +246,11 @@ void AddSceneRows(
     {
       row.Peer = Hard;
       row.PeerSeconds = hard.Seconds;
-      row.Counts["over_hard"] = usual.ProcessorSeconds / hard.ProcessorSeconds;
+      row.Counts["over_hard"] = usual.Seconds.Processor / hard.Seconds.Processor;
     }
     rows.Add(row);
   }
-  const Setting& rival = FindEqualTime(settings, usual.ProcessorSeconds);
+  const Setting& rival = FindEqualTime(settings, usual.Seconds.Processor);
   BenchRow row = MakeRow(usual, what.Name, rows);
   row.Method = EqualTime;
   row.Peer = Convolution;
@@ -286,8 +259,25 @@ void AddSceneRows(
     usual.Error > 0.0 ? rival.Error / usual.Error : rival.Error;
   rows.Add(row);
 }
-}
 
+/**
+ * Pictures of one round area light, scattered evenly, against the same mapper's with each of 256
+ * samples of the light as a light of its own (32 when quick), sixteen in a picture, slices at half
+ * the default distance and a light buffer of 256^2 (128^2). processor_seconds are those of all
+ * threads. Methods:
+ * - `sample-layers`: the parameter is the number of samples; `sample-layers, buffer`: the size of
+ *   the light's buffer, with the default number;
+ * - `accumulated-convolution`: the parameter is the distance of slices over the default one;
+ *   `accumulated-convolution, buffer`: the size of the light's buffer;
+ * - `sampled-lights`: the parameter is the number of samples;
+ * - `hard`: the light without its extent;
+ * - `default`: all settings as they are; the peer is `hard`, and over_hard its processor time over
+ *   that.
+ *
+ * Rows of method `equal-time`: the error of the default, and as peer the convolution's time at its
+ * smallest error within the default's processor time, or of its fastest setting where that takes
+ * longer; convolution_over_default is that error over the default's.
+ */
 void AddSoftShadowRows(const BenchOptions& options, BenchRows& rows)
 {
   const std::vector<Case> cases = MakeCases(options);
@@ -311,26 +301,25 @@ std::vector<BenchPlot> MakeSoftShadowPlots(const std::vector<BenchRow>& rows)
   std::vector<BenchPlot> plots;
   for (const BenchRow& row : rows)
   {
-    if (row.Method == EqualTime || !(*row.Error > 0.0))
+    if (row.Method == EqualTime)
     {
       continue;
     }
-    if (plots.empty() || plots.back().Title.compare(0, row.Case.size(), row.Case) != 0)
-    {
-      plots.push_back(BenchPlot::OfErrors("soft-shadows-" + row.Case.substr(0, row.Case.find('-')),
+    BenchPlot& plot = FindOrAdd(plots,
+      BenchPlot::OfErrors("soft-shadows-" + row.Case.substr(0, row.Case.find('-')),
         row.Case + ": error against run time, one area light", "time of a frame (s)",
-        std::string("error: ") + Norm));
-      plots.back().Question = "Which method for soft shadows (" + row.Case + ")?";
-      plots.back().Conditions =
+        std::string("error: ") + Norm, "Which method for soft shadows (" + row.Case + ")?",
         "Samples of the emitter, distances of slices over the default one, columns of the light's "
-        "buffer, all of them refined by a factor; against the mean picture of many small lights.";
-    }
-    BenchPlot& plot = plots.back();
-    const bool isPlain = row.Method == Default || row.Method == Hard;
-    plot.AddPoint(row.Method, row.Method == Sampled || row.Method.find(Convolution) == 0,
-      *row.Seconds, *row.Error, isPlain ? std::string() : row.GetParameterText());
+        "buffer, all of them refined by a factor; against the mean picture of many small lights."));
+    plot.AddRow(row, row.Method == Sampled || row.Method.find(Convolution) == 0);
     plot.SetDefault(Default);
   }
   return plots;
+}
+}
+
+BenchPart MakeSoftShadowPart()
+{
+  return { AddSoftShadowRows, MakeSoftShadowPlots, CheckSoftShadowClaims };
 }
 }

@@ -1,26 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Shadows/ShadowsError.h"
-#include "Benchmarks/Shadows/ShadowsSpeed.h"
-#include "Benchmarks/Shadows/ShadowsSurfaces.h"
+#include "Benchmarks/Shadows/ShadowsParts.h"
 #include "Benchmarks/Suites/BenchSuites.h"
 
-#include <utility>
-
-namespace
+BenchSuite MakeShadowsSuite()
 {
-class SuiteShadows : public BenchSuite
-{
-public:
-  std::string GetName() const override { return "shadows"; }
-  std::string GetTitle() const override
-  {
-    return "vtkShadowedSliceMapper: cost of lights and shadows, error against run time";
-  }
-
-  std::vector<std::string> GetDescription() const override
-  {
-    return {
-      "One frame, off-screen, until OpenGL says it is done, on the device that the counts name. "
+  return { "shadows", "vtkShadowedSliceMapper: cost of lights and shadows, error against run time",
+    { "One frame, off-screen, until OpenGL says it is done, on the device that the counts name. "
       "The camera turns by half a degree from frame to frame. Each method has a window of its own, "
       "so that nothing but the frame is made when they take turns. The parameter is the number of "
       "directional lights, all on the viewer's side (but for \"both sides\") and together of "
@@ -35,50 +20,14 @@ public:
       "VolumetricScatteringBlending 2 and GlobalIlluminationReach 1, so that both mean the same "
       "picture. \"shaded\": equation 2.6, which gpu-shadows does not have. spacing: the parameter "
       "is the distance of slices over the default one; buffer: the size of the light's buffer; "
-      "gpu-shadows: the distance of samples "
-      "in voxels, along view and shadow rays alike. The second norm is the difference from the "
-      "same mapper's own picture with slices at an eighth of the default distance and a buffer of "
-      "512^2, or samples every quarter of a voxel. equal-error: the "
-      "time of the default, and the time of gpu-shadows where a straight line between its points "
-      "in the log-log plot has the same error.",
+      "gpu-shadows: the distance of samples in voxels, along view and shadow rays alike. The "
+      "second norm is the difference from the same mapper's own picture with slices at an eighth "
+      "of the default distance and a buffer of 512^2, or samples every quarter of a voxel. "
+      "equal-error: the time of the default, and the time of gpu-shadows where a straight line "
+      "between its points in the log-log plot has the same error.",
       "surfaces: sharp ones, at the mapper's own settings. Cube and plates against closed forms, "
-      "all "
-      "else by scattered light against the ray marcher; the difference of a pixel's red, over the "
-      "pixels that show anything: mean, p95, largest, rms over the mean of what is expected; "
-      "brightness is the picture's mean over that, less 1."
-    };
-  }
-
-  void Run(const BenchOptions& options, BenchRows& rows) const override
-  {
-    shadows::AddSpeedRows(options, rows);
-    shadows::AddErrorRows(options, rows);
-    shadows::AddSurfaceRows(options, rows);
-  }
-
-  std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows) const override
-  {
-    std::vector<BenchClaim> claims = shadows::CheckSpeedClaims(rows);
-    for (BenchClaim& claim : shadows::CheckErrorClaims(rows))
-    {
-      claims.push_back(std::move(claim));
-    }
-    return claims;
-  }
-
-  std::vector<BenchPlot> MakePlots(const std::vector<BenchRow>& rows) const override
-  {
-    std::vector<BenchPlot> plots = shadows::MakeSpeedPlots(rows);
-    for (BenchPlot& plot : shadows::MakeErrorPlots(rows))
-    {
-      plots.push_back(std::move(plot));
-    }
-    return plots;
-  }
-};
-}
-
-std::unique_ptr<BenchSuite> MakeShadowsSuite()
-{
-  return std::make_unique<SuiteShadows>();
+      "all else by scattered light against the ray marcher; the difference of a pixel's red, over "
+      "the pixels that show anything: mean, p95, largest, rms over the mean of what is expected; "
+      "brightness is the picture's mean over that, less 1." },
+    { shadows::MakeSpeedPart(), shadows::MakeErrorPart(), shadows::MakeSurfacePart() } };
 }

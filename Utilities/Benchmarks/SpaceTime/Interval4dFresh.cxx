@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/SpaceTime/Interval4dFresh.h"
+#include "Benchmarks/SpaceTime/Interval4dParts.h"
 
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Measures/ResidentMemory.h"
@@ -112,19 +112,29 @@ nlohmann::ordered_json MeasureLaterSlabs(const std::string& theCase, const Bench
   filter->Update();
   return CountLookups(filter, before);
 }
-}
 
-void AddFreshRows(const BenchOptions& options, const TaskRunner& runTask, BenchRows& rows)
+/**
+ * For every case:
+ * - method `cold`, by one thread: the first execution in the process against later ones, the peer
+ *   `warm`. `hit_share` is the share of lookups that found their case made, `kind_hit_share` that
+ * of lookups that found it or one of its kind, so that no convex hull had to be computed;
+ * - method `later-slabs`, with three steps and more: the lookups of all slabs but the first, in a
+ *   process that has seen the first slab and nothing else;
+ * - method `memory`, with the table filled: `steps_kib`, two of the time steps; `output_kib`, the
+ *   output's own size; `working_kib`, what the filter reports; `peak_kib`, two steps and by how
+ *   much the resident memory of the process grew at most; `peak_share`, that divided by two steps
+ *   and the output. The last two are absent where the system cannot tell.
+ */
+void AddFreshRows(const BenchOptions& options, BenchRows& rows)
 {
   std::vector<BenchRow> laterSlabs;
   std::vector<BenchRow> memory;
   for (const std::string& name : GetCaseNames(options))
   {
-    const nlohmann::ordered_json found = runTask(FreshTask + (" " + name));
+    const nlohmann::ordered_json found = RunChild("interval4d", FreshTask + (" " + name), options);
     BenchRow row = rows.Make(name, "cold");
-    row.Seconds = { found.at("cold").get<double>(), 1 };
-    row.Peer = "warm";
-    row.PeerSeconds = { found.at("warm").get<double>(), options.GetRepeats() };
+    row.SetTimes({ found.at("cold").get<double>(), 1 }, "warm",
+      { found.at("warm").get<double>(), options.GetRepeats() });
     row.Counts = found.at("table");
     rows.Add(row);
     memory.push_back(rows.Make(name, "memory"));
@@ -132,7 +142,7 @@ void AddFreshRows(const BenchOptions& options, const TaskRunner& runTask, BenchR
     if (memory.back().Counts["steps"] > 2)
     {
       laterSlabs.push_back(rows.Make(name, "later-slabs"));
-      laterSlabs.back().Counts = runTask(LaterSlabsTask + (" " + name));
+      laterSlabs.back().Counts = RunChild("interval4d", LaterSlabsTask + (" " + name), options);
     }
   }
   for (const std::vector<BenchRow>& more : { laterSlabs, memory })
@@ -142,23 +152,6 @@ void AddFreshRows(const BenchOptions& options, const TaskRunner& runTask, BenchR
       rows.Add(row);
     }
   }
-}
-
-std::optional<nlohmann::ordered_json> RunFreshTask(
-  const std::string& task, const BenchOptions& options)
-{
-  const std::size_t space = task.find(' ');
-  const std::string name = task.substr(0, space);
-  const std::string theCase = space == std::string::npos ? "" : task.substr(space + 1);
-  if (name == FreshTask)
-  {
-    return MeasureFresh(theCase, options);
-  }
-  if (name == LaterSlabsTask)
-  {
-    return MeasureLaterSlabs(theCase, options);
-  }
-  return std::nullopt;
 }
 
 std::vector<BenchClaim> CheckFreshClaims(const std::vector<BenchRow>& rows)
@@ -176,21 +169,23 @@ std::vector<BenchClaim> CheckFreshClaims(const std::vector<BenchRow>& rows)
 
 std::vector<BenchPlot> MakeFreshPlots(const std::vector<BenchRow>& rows)
 {
-  BenchPlot plot;
-  plot.Kind = BenchPlot::BARS;
-  plot.Name = "interval4d-time";
-  plot.Title = "cold and warm table, 1 thread";
-  plot.YLabel = "run time (s)";
+  BenchPlot plot =
+    BenchPlot::OfBars("interval4d-time", "cold and warm table, 1 thread", "run time (s)");
   for (const BenchRow& row : rows)
   {
     if (row.Method == "cold")
     {
-      const auto bar = static_cast<double>(plot.BarLabels.size());
-      plot.BarLabels.push_back(row.Case);
-      plot.AddPoint("cold", false, bar, *row.Seconds);
-      plot.AddPoint("warm", true, bar, *row.PeerSeconds);
+      plot.AddBar(row.Case, "cold", false, *row.Seconds);
+      plot.AddBar(row.Case, "warm", true, *row.PeerSeconds);
     }
   }
-  return plot.BarLabels.empty() ? std::vector<BenchPlot>() : std::vector<BenchPlot>{ plot };
+  return { plot };
+}
+}
+
+BenchPart MakeFreshPart()
+{
+  return { AddFreshRows, MakeFreshPlots, CheckFreshClaims,
+    { { FreshTask, MeasureFresh }, { LaterSlabsTask, MeasureLaterSlabs } } };
 }
 }

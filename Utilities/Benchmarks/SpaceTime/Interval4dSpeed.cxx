@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/SpaceTime/Interval4dSpeed.h"
+#include "Benchmarks/SpaceTime/Interval4dParts.h"
 
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Measures/SecondThread.h"
@@ -31,20 +31,16 @@ void AddWarmRows(const Case& what, const BenchOptions& options, BenchRows& rows)
   const vtkTimeVaryingReport& report = filter->GetReport();
   for (int threads : options.GetThreadCounts())
   {
-    BenchRow row = rows.Make(what.Name, "warm");
-    row.Parameter = ThreadsParameter(threads);
+    BenchRow row = rows.Make(what.Name, "warm", ThreadsParameter(threads));
     row.Seconds = MeasureAlternately({ WithThreads(threads, work) }, options.GetRepeats()).front();
-    row.Counts["threads"] = threads;
-    row.Counts["steps"] = report.TimeSteps;
-    row.Counts["cells"] = what.GetNumberOfCells();
-    row.Counts["lower"] = what.Lower;
-    row.Counts["upper"] = what.Upper;
-    row.Counts["simplices"] = report.Simplices;
-    row.Counts["tetrahedra"] = filter->GetOutput()->GetNumberOfCells();
+    row.Set(
+      { { "threads", threads }, { "steps", report.TimeSteps }, { "cells", what.GetNumberOfCells() },
+        { "lower", what.Lower }, { "upper", what.Upper }, { "simplices", report.Simplices },
+        { "tetrahedra", filter->GetOutput()->GetNumberOfCells() } });
     if (what.Stated)
     {
-      row.Counts["stated_simplices"] = what.Stated->Simplices;
-      row.Counts["stated_tetrahedra"] = what.Stated->Tetrahedra;
+      row.Set({ { "stated_simplices", what.Stated->Simplices },
+        { "stated_tetrahedra", what.Stated->Tetrahedra } });
     }
     rows.Add(row);
   }
@@ -53,8 +49,12 @@ void AddWarmRows(const Case& what, const BenchOptions& options, BenchRows& rows)
   MeasureSecondThread(work, options, row);
   rows.Add(row);
 }
-}
 
+/**
+ * For every case, with the table filled by a run before:
+ * - method `warm`, by one thread and by all;
+ * - method `threads-2`, two threads against the peer `threads-1`.
+ */
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const std::string& name : GetCaseNames(options))
@@ -65,8 +65,6 @@ void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 
 std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
 {
-  const auto secondThread = [](const BenchRow& row)
-  { return row.Method == "threads-2" ? row.GetRatio() : std::nullopt; };
   const auto warm = [&rows](const char* text, double most, int threads)
   {
     return BenchClaim::AtMost(text, most, rows,
@@ -79,6 +77,12 @@ std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
   };
   return { warm("warm table, 1 thread: at most 0.25 s", 0.25, 1),
     warm("warm table, 2 threads: at most 0.05 s", 0.05, 2),
-    BenchClaim::AtLeast("a second thread gives at least 1.7", 1.7, rows, secondThread) };
+    BenchClaim::AtLeast("a second thread gives at least 1.7", 1.7, rows, RatioOf("threads-2")) };
+}
+}
+
+BenchPart MakeSpeedPart()
+{
+  return { AddSpeedRows, nullptr, CheckSpeedClaims };
 }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/SpaceTime/Interval4dThroughput.h"
+#include "Benchmarks/SpaceTime/Interval4dParts.h"
 
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/SpaceTime/VortexShares.h"
@@ -22,17 +22,18 @@ void AddRow(const Case& what, double share, const BenchOptions& options, BenchRo
     simplices = filter->GetReport().Simplices;
     return vtkSmartPointer<vtkObjectBase>(filter->GetOutputDataObject(0));
   };
-  BenchRow row = rows.Make(what.Name, "throughput");
-  row.Parameter = share;
+  BenchRow row = rows.Make(what.Name, "throughput", share);
   row.Seconds = MeasureAlternately({ WithThreads(1, work) }, options.GetRepeats()).front();
-  row.Counts["cells"] = what.GetNumberOfCells();
-  row.Counts["lower"] = what.Lower;
-  row.Counts["simplices"] = simplices;
-  row.Counts["simplices_per_second"] = static_cast<double>(simplices) / *row.Seconds;
+  row.Set(
+    { { "cells", what.GetNumberOfCells() }, { "lower", what.Lower }, { "simplices", simplices },
+      { "simplices_per_second", static_cast<double>(simplices) / *row.Seconds } });
   rows.Add(row);
 }
-}
 
+/**
+ * Method `throughput`, by one thread, warm: f >= c of the field VORTEX on grids of several sizes, c
+ * chosen so that a share of the grid's points, which is the parameter, is inside at time 0.
+ */
 void AddThroughputRows(const BenchOptions& options, BenchRows& rows)
 {
   const auto sizes = options.Pick<std::vector<int>>({ 32, 64, 96, 128 }, { 32, 64 }, { 12, 16 });
@@ -53,13 +54,10 @@ void AddThroughputRows(const BenchOptions& options, BenchRows& rows)
 
 std::vector<BenchPlot> MakeThroughputPlots(const std::vector<BenchRow>& rows)
 {
-  BenchPlot plot;
-  plot.Name = "interval4d-throughput";
-  plot.Title = "4-simplices, projected and cut into tetrahedra, 1 thread";
-  plot.XLabel = "4-simplices";
-  plot.YLabel = "4-simplices a second";
-  plot.LogX = true;
-  plot.LogY = true;
+  BenchPlot plot = BenchPlot::OfErrors("interval4d-throughput",
+    "4-simplices, projected and cut into tetrahedra, 1 thread", "4-simplices",
+    "4-simplices a second");
+  plot.HasFront = false;
   for (const BenchRow& row : rows)
   {
     if (row.Method == "throughput" && row.Counts["simplices"].get<double>() > 0.0)
@@ -68,6 +66,12 @@ std::vector<BenchPlot> MakeThroughputPlots(const std::vector<BenchRow>& rows)
         row.Counts["simplices_per_second"].get<double>());
     }
   }
-  return plot.AllSeries.empty() ? std::vector<BenchPlot>() : std::vector<BenchPlot>{ plot };
+  return { plot };
+}
+}
+
+BenchPart MakeThroughputPart()
+{
+  return { AddThroughputRows, MakeThroughputPlots };
 }
 }

@@ -70,161 +70,135 @@ HypercubeTable::Rule GetRule(const std::string& method, const vtkIsotablePolytop
     : HypercubeTable::Rule{ vtkIsotableTriangulation::PULLING, GetShippedRanks(cell) };
 }
 
-class SuiteTables : public BenchSuite
+void AddTable(const TableCase& what, const std::string& method, BenchRows& rows)
 {
-public:
-  std::string GetName() const override { return "tables"; }
-
-  std::string GetTitle() const override
+  const HypercubeTable::Rule rule = GetRule(method, what.Cell);
+  const vtkIsotablePolytope lifted = what.Cell.Prism();
+  const int vertices = static_cast<int>(what.Cell.Vertices.size());
+  int entries = 1;
+  for (int v = 0; v < vertices; ++v)
   {
-    return "entries, mean and maximum of simplices of every interval table";
+    entries *= 3;
   }
-
-  std::vector<std::string> GetDescription() const override
+  std::int64_t sum = 0;
+  int most = 0;
+  std::vector<bool> positive(2 * vertices);
+  for (int key = 0; key < entries; ++key)
   {
-    return {
-      "The number of simplices of a case, over all cases of the table of a cell. Method "
-      "source-order places the points in the order of the source's edge lists, which "
-      "reproduces its Table 3.2; method shipped is what the filters use on structured grids: "
-      "pulling, grid points first, then lower, then upper crossings.",
-      "For the four-dimensional cube every one of the 3^16 cases counts, by symmetry: one hull for "
-      "each of the 132,102 kinds of case, one triangulation for each image of each facet."
-    };
+    for (int v = 0, rest = key; v < vertices; ++v, rest /= 3)
+    {
+      positive[v] = rest % 3 >= 1;
+      positive[v + vertices] = rest % 3 == 2;
+    }
+    const vtkIsotablePatch patch(lifted, positive);
+    const int number = static_cast<int>(
+      vtkIsotableTriangulation::Triangulate(patch, rule.Method, rule.Ranks).size());
+    sum += number;
+    most = std::max(most, number);
   }
-
-  void Run(const BenchOptions& options, BenchRows& rows) const override
+  BenchRow row = rows.Make(what.Name, method);
+  row.Set({ { "entries", entries }, { "sum", sum }, { "mean", static_cast<double>(sum) / entries },
+    { "max", most } });
+  if (method == "source-order" && what.StatedMaximum > 0)
   {
-    for (const TableCase& what : GetCases())
-    {
-      for (const char* method : { "source-order", "shipped" })
-      {
-        this->AddTable(what, method, rows);
-      }
-    }
-    this->AddConstantHypercube(rows);
-    this->AddHypercube(options, rows);
+    row.Set({ { "stated_mean", what.StatedMean }, { "stated_max", what.StatedMaximum } });
   }
-
-  std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows) const override
-  {
-    BenchClaim printed{ "method source-order gives the mean and maximum stated for the method",
-      {} };
-    BenchClaim fewer{ "method shipped has no more simplices than source-order, mean and maximum",
-      {} };
-    for (const BenchRow& row : rows)
-    {
-      const bool isWhole = !row.Parameter.is_string() || row.Parameter == AllCases;
-      if (row.Method == "source-order" && row.Counts.contains("stated_mean") && isWhole)
-      {
-        // The source cuts off some digits and rounds others.
-        const double mean = row.Counts["mean"].get<double>();
-        const bool met = std::abs(mean - row.Counts["stated_mean"].get<double>()) < 0.01 &&
-          row.Counts["max"] == row.Counts["stated_max"];
-        printed.Cases.push_back({ row.Case, mean, met });
-      }
-      const auto source = std::find_if(rows.begin(), rows.end(),
-        [&row](const BenchRow& other)
-        { return other.Case == row.Case && other.Method == "source-order"; });
-      if (row.Method == "shipped" && source != rows.end())
-      {
-        const double mean = row.Counts["mean"].get<double>();
-        const bool met = mean <= source->Counts["mean"].get<double>() &&
-          row.Counts["max"].get<int>() <= source->Counts["max"].get<int>();
-        fewer.Cases.push_back({ row.Case, mean, met });
-      }
-    }
-    return { printed, fewer };
-  }
-
-private:
-  void AddTable(const TableCase& what, const std::string& method, BenchRows& rows) const
-  {
-    const HypercubeTable::Rule rule = GetRule(method, what.Cell);
-    const vtkIsotablePolytope lifted = what.Cell.Prism();
-    const int vertices = static_cast<int>(what.Cell.Vertices.size());
-    int entries = 1;
-    for (int v = 0; v < vertices; ++v)
-    {
-      entries *= 3;
-    }
-    std::int64_t sum = 0;
-    int most = 0;
-    std::vector<bool> positive(2 * vertices);
-    for (int key = 0; key < entries; ++key)
-    {
-      for (int v = 0, rest = key; v < vertices; ++v, rest /= 3)
-      {
-        positive[v] = rest % 3 >= 1;
-        positive[v + vertices] = rest % 3 == 2;
-      }
-      const vtkIsotablePatch patch(lifted, positive);
-      const int number = static_cast<int>(
-        vtkIsotableTriangulation::Triangulate(patch, rule.Method, rule.Ranks).size());
-      sum += number;
-      most = std::max(most, number);
-    }
-    BenchRow row = rows.Make(what.Name, method);
-    row.Counts["entries"] = entries;
-    row.Counts["sum"] = sum;
-    row.Counts["mean"] = static_cast<double>(sum) / entries;
-    row.Counts["max"] = most;
-    if (method == "source-order" && what.StatedMaximum > 0)
-    {
-      row.Counts["stated_mean"] = what.StatedMean;
-      row.Counts["stated_max"] = what.StatedMaximum;
-    }
-    rows.Add(row);
-  }
-
-  void AddConstantHypercube(BenchRows& rows) const
-  {
-    std::uint32_t inside = 0;
-    for (int v = 0; v < 16; ++v)
-    {
-      inside = 3 * inside + 1;
-    }
-    BenchRow row = rows.Make("constant-hypercube", "shipped");
-    row.Counts["simplices"] =
-      vtkIsotableCache::Get(vtkIsotable::HEXAHEDRON).GetCase(inside).Simplices.size();
-    rows.Add(row);
-  }
-
-  void AddHypercube(const BenchOptions& options, BenchRows& rows) const
-  {
-    const vtkIsotablePolytope cube = vtkIsotablePolytope::Cube(4);
-    const std::vector<std::string> methods{ "source-order", "shipped" };
-    std::vector<HypercubeTable::Rule> rules;
-    for (const std::string& method : methods)
-    {
-      rules.push_back(GetRule(method, cube));
-    }
-    const int stride = options.Pick(1, 40, 2000);
-    const auto results = HypercubeTable::Count(rules, stride);
-    for (std::size_t m = 0; m < methods.size(); ++m)
-    {
-      const HypercubeTable::Statistics& found = results[m];
-      BenchRow row = rows.Make(HypercubeName, methods[m]);
-      row.Parameter = stride == 1 ? AllCases : "a sample of the kinds of case";
-      row.Counts["entries"] = found.Cases;
-      row.Counts["entries_up_to_symmetry"] = found.CasesUpToSymmetry;
-      row.Counts["facets"] = found.Facets;
-      row.Counts["facet_orbits"] = found.FacetOrbits;
-      row.Counts["sum"] = found.Sum;
-      row.Counts["mean"] = static_cast<double>(found.Sum) / static_cast<double>(found.Cases);
-      row.Counts["max"] = found.Maximum;
-      row.Counts["entries_at_max"] = found.CasesAtMaximum;
-      if (methods[m] == "source-order")
-      {
-        row.Counts["stated_mean"] = 59.36;
-        row.Counts["stated_max"] = 128;
-      }
-      rows.Add(row);
-    }
-  }
-};
+  rows.Add(row);
 }
 
-std::unique_ptr<BenchSuite> MakeTablesSuite()
+void AddConstantHypercube(BenchRows& rows)
 {
-  return std::make_unique<SuiteTables>();
+  std::uint32_t inside = 0;
+  for (int v = 0; v < 16; ++v)
+  {
+    inside = 3 * inside + 1;
+  }
+  BenchRow row = rows.Make("constant-hypercube", "shipped");
+  row.Counts["simplices"] =
+    vtkIsotableCache::Get(vtkIsotable::HEXAHEDRON).GetCase(inside).Simplices.size();
+  rows.Add(row);
+}
+
+void AddHypercube(const BenchOptions& options, BenchRows& rows)
+{
+  const vtkIsotablePolytope cube = vtkIsotablePolytope::Cube(4);
+  const std::vector<std::string> methods{ "source-order", "shipped" };
+  std::vector<HypercubeTable::Rule> rules;
+  for (const std::string& method : methods)
+  {
+    rules.push_back(GetRule(method, cube));
+  }
+  const int stride = options.Pick(1, 40, 2000);
+  const auto results = HypercubeTable::Count(rules, stride);
+  for (std::size_t m = 0; m < methods.size(); ++m)
+  {
+    const HypercubeTable::Statistics& found = results[m];
+    BenchRow row = rows.Make(
+      HypercubeName, methods[m], stride == 1 ? AllCases : "a sample of the kinds of case");
+    row.Set({ { "entries", found.Cases }, { "entries_up_to_symmetry", found.CasesUpToSymmetry },
+      { "facets", found.Facets }, { "facet_orbits", found.FacetOrbits }, { "sum", found.Sum },
+      { "mean", static_cast<double>(found.Sum) / static_cast<double>(found.Cases) },
+      { "max", found.Maximum }, { "entries_at_max", found.CasesAtMaximum } });
+    if (methods[m] == "source-order")
+    {
+      row.Set({ { "stated_mean", 59.36 }, { "stated_max", 128 } });
+    }
+    rows.Add(row);
+  }
+}
+
+void AddRows(const BenchOptions& options, BenchRows& rows)
+{
+  for (const TableCase& what : GetCases())
+  {
+    for (const char* method : { "source-order", "shipped" })
+    {
+      AddTable(what, method, rows);
+    }
+  }
+  AddConstantHypercube(rows);
+  AddHypercube(options, rows);
+}
+
+std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows)
+{
+  BenchClaim printed{ "method source-order gives the mean and maximum stated for the method", {} };
+  BenchClaim fewer{ "method shipped has no more simplices than source-order, mean and maximum",
+    {} };
+  for (const BenchRow& row : rows)
+  {
+    const bool isWhole = !row.Parameter.is_string() || row.Parameter == AllCases;
+    if (row.Method == "source-order" && row.Counts.contains("stated_mean") && isWhole)
+    {
+      // The source cuts off some digits and rounds others.
+      const double mean = row.Counts["mean"].get<double>();
+      const bool met = std::abs(mean - row.Counts["stated_mean"].get<double>()) < 0.01 &&
+        row.Counts["max"] == row.Counts["stated_max"];
+      printed.Cases.push_back({ row.Case, mean, met });
+    }
+    const auto source = std::find_if(rows.begin(), rows.end(),
+      [&row](const BenchRow& other)
+      { return other.Case == row.Case && other.Method == "source-order"; });
+    if (row.Method == "shipped" && source != rows.end())
+    {
+      const double mean = row.Counts["mean"].get<double>();
+      const bool met = mean <= source->Counts["mean"].get<double>() &&
+        row.Counts["max"].get<int>() <= source->Counts["max"].get<int>();
+      fewer.Cases.push_back({ row.Case, mean, met });
+    }
+  }
+  return { printed, fewer };
+}
+}
+
+BenchSuite MakeTablesSuite()
+{
+  return { "tables", "entries, mean and maximum of simplices of every interval table",
+    { "The number of simplices of a case, over all cases of the table of a cell. Method "
+      "source-order places the points in the order of the source's edge lists, which reproduces "
+      "its Table 3.2; method shipped is what the filters use on structured grids: pulling, grid "
+      "points first, then lower, then upper crossings.",
+      "For the four-dimensional cube every one of the 3^16 cases counts, by symmetry: one hull for "
+      "each of the 132,102 kinds of case, one triangulation for each image of each facet." },
+    { { AddRows, nullptr, CheckClaims } } };
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Tetrahedra/TetrahedraError.h"
+#include "Benchmarks/Tetrahedra/TetrahedraParts.h"
 
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Tetrahedra/FieldPicture.h"
@@ -110,10 +110,8 @@ BenchRow MakeRow(const BenchRows& rows, const std::string& method, vtkUnstructur
   const reference::PictureError& error)
 {
   BenchRow row = rows.Make("gyroid", method);
-  row.Error = error.Mean;
-  row.ErrorNorm = Norm;
-  row.Counts["tetrahedra"] = grid->GetNumberOfCells();
-  row.Counts["largest_error"] = error.Max;
+  row.SetError(Norm, error.Mean);
+  row.Set({ { "tetrahedra", grid->GetNumberOfCells() }, { "largest_error", error.Max } });
   return row;
 }
 
@@ -182,8 +180,12 @@ void AddStrideRows(Theatre& theatre, const RenderPath& path, int cubes,
   }
   theatre.GetStage().GetWindow()->SetDesiredUpdateRate(1e-4);
 }
-}
 
+/**
+ * Pictures of meshes of several resolutions, by every render path and VTK's three mappers, against
+ * the picture of the field without a mesh. The parameter is the number of cubes along an edge. Then
+ * the coarser pictures of the level of detail: the parameter is the pixel stride.
+ */
 void AddErrorRows(const BenchOptions& options, BenchRows& rows)
 {
   const std::vector<int> resolutions =
@@ -204,27 +206,28 @@ std::vector<BenchPlot> MakeErrorPlots(const std::vector<BenchRow>& rows)
 {
   const std::string time = "time of a frame (s)";
   const std::string error = std::string("error: ") + Norm;
-  BenchPlot finer = BenchPlot::OfErrors(
-    "tetrahedra-error", "a gyroid: error against run time as the mesh gets finer", time, error);
-  finer.Question = "Which path and which integration of a tetrahedron, as meshes get finer?";
-  finer.Conditions = "A gyroid in cubes of five tetrahedra, cubes along an edge at each point, "
-                     "against the formula's own picture. Ringed: the software path, which is the "
-                     "default where OpenGL is software, on the finest mesh.";
+  BenchPlot finer = BenchPlot::OfErrors("tetrahedra-error",
+    "a gyroid: error against run time as the mesh gets finer", time, error,
+    "Which path and which integration of a tetrahedron, as meshes get finer?",
+    "A gyroid in cubes of five tetrahedra, cubes along an edge at each point, against the "
+    "formula's own picture. Ringed: the software path, which is the default where OpenGL is "
+    "software, on the finest mesh.");
   BenchPlot coarser = BenchPlot::OfErrors("tetrahedra-level-of-detail",
-    "a gyroid: error against run time as the level of detail falls", time, error);
-  coarser.Question = "What does the level of detail of tetrahedra cost in error?";
-  coarser.Conditions = "The finest of these meshes, with less and less time allotted to a frame.";
+    "a gyroid: error against run time as the level of detail falls", time, error,
+    "What does the level of detail of tetrahedra cost in error?",
+    "The finest of these meshes, with less and less time allotted to a frame.");
   for (const BenchRow& row : rows)
   {
-    if (row.Error && *row.Error > 0.0)
-    {
-      BenchPlot& plot = row.Parameter.is_string() ? coarser : finer;
-      plot.AddPoint(
-        row.Method, IsPeer(row.Method), *row.Seconds, *row.Error, row.GetParameterText());
-    }
+    (row.Parameter.is_string() ? coarser : finer).AddRow(row, IsPeer(row.Method));
   }
   finer.SetDefault("software");
   coarser.SetDefault("software, level of detail", StrideText(1, 1));
   return { finer, coarser };
+}
+}
+
+BenchPart MakeErrorPart()
+{
+  return { AddErrorRows, MakeErrorPlots };
 }
 }

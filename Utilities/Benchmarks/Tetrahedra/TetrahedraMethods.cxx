@@ -70,17 +70,11 @@ vtkSmartPointer<Mapper> NewMapper(
 
 void AddReport(const vtkTetrahedraReport& report, BenchRow& row)
 {
-  row.Counts["tetrahedra"] = report.Tetrahedra;
-  row.Counts["drawn"] = report.TetrahedraDrawn;
-  row.Counts["render_path"] = report.RenderPath;
-  row.Counts["passes"] = report.Passes;
-  row.Counts["sort_mode"] = report.SortMode;
-  row.Counts["cycles"] = report.Cycles;
-  row.Counts["gaps"] = report.Gaps;
-  row.Counts["buffers"] = report.Buffers;
-  row.Counts["buffer_bytes"] = report.BufferBytes;
-  row.Counts["memory_bytes"] = report.MemoryBytes;
-  row.Counts["uploaded_order_bytes"] = report.UploadedOrderBytes;
-  row.Counts["uploaded_image_bytes"] = report.UploadedImageBytes;
+  row.Set({ { "tetrahedra", report.Tetrahedra }, { "drawn", report.TetrahedraDrawn },
+    { "render_path", report.RenderPath }, { "passes", report.Passes },
+    { "sort_mode", report.SortMode }, { "cycles", report.Cycles }, { "gaps", report.Gaps },
+    { "buffers", report.Buffers }, { "buffer_bytes", report.BufferBytes },
+    { "memory_bytes", report.MemoryBytes }, { "uploaded_order_bytes", report.UploadedOrderBytes },
+    { "uploaded_image_bytes", report.UploadedImageBytes } });
 }
 }

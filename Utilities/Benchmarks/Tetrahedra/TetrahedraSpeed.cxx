@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Tetrahedra/TetrahedraSpeed.h"
+#include "Benchmarks/Tetrahedra/TetrahedraParts.h"
 
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Measures/PowerFit.h"
@@ -92,19 +92,16 @@ void AddRows(const SpeedCase& what, const BenchOptions& options, BenchRows& rows
   {
     const Entry& entry = entries[i];
     const vtkTetrahedraReport& report = entry.Mapper->GetReport();
-    BenchRow row = rows.Make(what.Name, entry.Path->Name);
-    row.Parameter = entry.Mode->Name;
-    row.Seconds = seconds[i];
-    row.Peer = Peer;
-    row.PeerSeconds = seconds.back();
+    BenchRow row = rows.Make(what.Name, entry.Path->Name, entry.Mode->Name);
+    row.SetTimes(seconds[i], Peer, seconds.back());
     AddReport(report, row);
     const bool isTheSame = entry.Mode->Blend == GetUnsortedMode().Blend &&
       entry.Mode->Integration == GetUnsortedMode().Integration;
-    row.Counts["sort_seconds"] =
-      report.Sorted && isTheSame ? std::max(0.0, seconds[i] - unsorted[entry.Path]) : 0.0;
-    row.Counts["pixels"] = theatre.GetSize()[0] * theatre.GetSize()[1];
-    row.Counts["threads"] = options.Threads;
-    row.Counts["device"] = device;
+    row.Set(
+      { { "sort_seconds",
+          report.Sorted && isTheSame ? std::max(0.0, seconds[i] - unsorted[entry.Path]) : 0.0 },
+        { "pixels", theatre.GetSize()[0] * theatre.GetSize()[1] }, { "threads", options.Threads },
+        { "device", device } });
     rows.Add(row);
   }
 }
@@ -136,8 +133,7 @@ void AddExponentRow(const std::string& method, const std::string& parameter,
   {
     row.Parameter = parameter;
   }
-  row.Counts["exponent"] = FitExponent(sizes, seconds);
-  row.Counts["cases"] = sizes.size();
+  row.Set({ { "exponent", FitExponent(sizes, seconds) }, { "cases", sizes.size() } });
   result.Add(row);
 }
 
@@ -216,8 +212,11 @@ void AddClaims(
       return concerned ? std::optional<double>(row.Counts["exponent"].get<double>()) : std::nullopt;
     }));
 }
-}
 
+/**
+ * Methods `opengl` and `software`, the render paths, against the peer `projectedtetrahedra`: a row
+ * for each blend, sort and integration mode, and rows with the exponent of time against tetrahedra.
+ */
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const SpeedCase& what : MakeSpeedCases(options))
@@ -266,13 +265,10 @@ std::vector<BenchPlot> MakeSpeedPlots(const std::vector<BenchRow>& rows)
   std::vector<BenchRow> speed;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(speed), IsSpeedRow);
   std::vector<BenchPlot> plots;
-  BenchPlot times;
-  times.Name = "tetrahedra-time";
-  times.Title = "one frame after a small turn, 512 x 512: time against tetrahedra";
-  times.XLabel = "tetrahedra";
-  times.YLabel = "time of a frame (s)";
-  times.LogX = true;
-  times.LogY = true;
+  BenchPlot times = BenchPlot::OfErrors("tetrahedra-time",
+    "one frame after a small turn, 512 x 512: time against tetrahedra", "tetrahedra",
+    "time of a frame (s)");
+  times.HasFront = false;
   times.DefaultSeries = "software";
   for (const BenchRow& row : speed)
   {
@@ -309,5 +305,11 @@ std::vector<BenchPlot> MakeSpeedPlots(const std::vector<BenchRow>& rows)
     }
   }
   return plots;
+}
+}
+
+BenchPart MakeSpeedPart()
+{
+  return { AddSpeedRows, MakeSpeedPlots, CheckSpeedClaims };
 }
 }
