@@ -34,8 +34,8 @@ def equal_error(integrator):
 TABLES = {
     "tables": table(
         "tables", "interval table", "case",
-        [("entries", "{entries}"), ("simplices: mean, most", "{mean}, {max}"),
-         ("in the source's order", "{mean}, {max}", {"method": "source-order"})],
+        [("entries", "{entries}"), ("simplices: mean, most", "{mean:4}, {max}"),
+         ("in the source's order", "{mean:4}, {max}", {"method": "source-order"})],
         {"tetrahedron-time": "tetrahedron × time", "hexahedron-time": "hexahedron × time"},
         case=("tetrahedron", "hexahedron", "tetrahedron-time", "hexahedron-time"), method="shipped"),
     "interval": table(
