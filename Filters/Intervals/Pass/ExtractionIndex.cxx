@@ -25,6 +25,7 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
+// A 64-bit integer may round when it becomes a double, but never past a bound, which is a double.
 template <typename T>
 void Extend(std::array<double, 2>& range, T value)
 {
@@ -34,17 +35,6 @@ void Extend(std::array<double, 2>& range, T value)
     range[0] = std::min(range[0], number);
     range[1] = std::max(range[1], number);
   }
-}
-
-// A 64-bit integer may round when it becomes a double: one step outward keeps the range safe.
-template <typename T>
-std::array<double, 2> Widen(const std::array<double, 2>& range)
-{
-  if (sizeof(T) < sizeof(double) || std::is_floating_point<T>::value)
-  {
-    return range;
-  }
-  return { { std::nextafter(range[0], -Infinity), std::nextafter(range[1], Infinity) } };
 }
 }
 
@@ -152,7 +142,7 @@ void ExtractionIndex::BuildStructured(const T* scalars, Ranges& ranges) const
               }
             }
           }
-          ranges.Blocks[row * this->Blocks[0] + block] = Widen<T>(range);
+          ranges.Blocks[row * this->Blocks[0] + block] = range;
         }
       }
     });
@@ -180,7 +170,7 @@ void ExtractionIndex::BuildRuns(vtkDataSet* input, const T* scalars, Ranges& ran
             Extend(range, scalars[points->GetId(p)]);
           }
         }
-        ranges.Blocks[run] = Widen<T>(range);
+        ranges.Blocks[run] = range;
       }
     });
 }

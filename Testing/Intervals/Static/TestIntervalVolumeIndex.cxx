@@ -7,7 +7,10 @@
 #include "Reference/Meshes/ReferenceLattice.h"
 #include "Reference/Meshes/ReferenceMesh.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellType.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkIntervalVolume.h"
 #include "vtkIsotableContour.h"
@@ -34,6 +37,13 @@ struct IntervalRun
     this->Filter->SetInterval(1, upper, upper + 0.02);
     this->Filter->GenerateBoundariesOn();
   }
+};
+
+struct OneIntervalRun
+{
+  vtkNew<vtkIntervalVolume> Filter;
+
+  void Set(double lower, double upper) { this->Filter->SetInterval(0, lower, upper); }
 };
 
 struct ContourRun
@@ -129,6 +139,49 @@ void CheckRun(const LatticeForm& form, const char* filterName, Check& check)
   CheckAgainstFresh(kept, form.Data, 0.45, 0.46, check);
 }
 
+/// Other cells over the same points and values are noticed.
+void CheckOtherCells(Check& check)
+{
+  check.SetContext("cells in another order");
+  const auto mesh = MakeMesh(MeshKind::Wedges, { 12, 12, 12 });
+  AddSmoothField(mesh);
+  IntervalRun kept;
+  kept.Filter->SetInputDataObject(mesh);
+  CheckAgainstFresh(kept, mesh, 0.5, 0.6, check);
+  CheckAgainstFresh(kept, mesh, 0.4, 0.45, check);
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = mesh->GetNumberOfCells(); cell-- > 0;)
+  {
+    mesh->GetCellPoints(cell, corners);
+    cells->InsertNextCell(corners);
+  }
+  mesh->SetCells(VTK_WEDGE, cells);
+  CheckAgainstFresh(kept, mesh, 0.65, 0.66, check);
+  CheckAgainstFresh(kept, mesh, 0.3, 0.31, check);
+}
+
+/// Blocks of cells whose values all equal the upper bound belong to the interval.
+void CheckFlatBlocks(Check& check)
+{
+  const auto image = MakeImage({ 20, 20, 20 });
+  vtkDoubleArray* field = AddRandomField(image, 1);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const double z = image->GetPoint(i)[2] / image->GetBounds()[5];
+    field->SetValue(i, z > 0.5 ? 1.0 : 0.5 * z);
+  }
+  for (const LatticeForm& form : FormsOf(image))
+  {
+    check.SetContext(form.Name + ", values that equal the upper bound");
+    OneIntervalRun kept;
+    kept.Filter->SetInputDataObject(form.Data);
+    CheckAgainstFresh(kept, form.Data, 0.1, 0.2, check);
+    CheckAgainstFresh(kept, form.Data, 0.2, 1.0, check);
+    CheckAgainstFresh(kept, form.Data, 1.0, 2.0, check);
+  }
+}
+
 /// Every leaf of a composite input has its own index.
 void CheckComposite(Check& check)
 {
@@ -171,6 +224,8 @@ int TestIntervalVolumeIndex(int, char*[])
     auto mesh = MakeMesh(kind, { 12, 12, 12 });
     CheckRun<IntervalRun>({ GetName(kind), mesh }, "intervals", check);
   }
+  CheckOtherCells(check);
+  CheckFlatBlocks(check);
   CheckComposite(check);
   return check.Result();
 }

@@ -35,6 +35,11 @@ void CheckSidesOfZeroWidth(Check& check)
     for (const LatticeForm& form : FormsOf(image))
     {
       check.SetContext(form.Name + (isRising ? ", rising" : ", falling"));
+      // An interval that ends at 1 keeps the cell of 1, which the one of width 0 has too.
+      check.Near(static_cast<double>(MeasureTetrahedra(
+                   ExtractIntervals(form.Data, { { 0.0, 1.0 }, { 1.0, 1.0 } }).Volume)
+                                       .Sum),
+        3.0, 1e-14, "volume beside an interval that ends there");
       const Extraction extraction = ExtractIntervals(form.Data, { { 1.0, 1.0 } });
       check.Near(
         static_cast<double>(MeasureTetrahedra(extraction.Volume).Sum), 1.0, 1e-14, "volume");
