@@ -162,6 +162,33 @@ void TestCounters(Check& check)
   expect({ 3, 0, 0, 0, 0, 0 }, "changed voxels");
 }
 
+/// Opacity by an array does not change if the array and the function move together.
+void TestOpacityArray(Check& check)
+{
+  RgbaPicture pictures[2];
+  for (const int isMoved : { 0, 1 })
+  {
+    Show show;
+    show.Mapper->SetInflowTexture(0, MakeStripes(20.0, 0.3));
+    const double shift = 40.0 * isMoved;
+    vtkDataArray* speed = show.Voxels->GetPointData()->GetArray("Speed");
+    double range[2];
+    speed->GetRange(range);
+    for (vtkIdType i = 0; i < speed->GetNumberOfTuples(); ++i)
+    {
+      speed->SetComponent(i, 0, speed->GetComponent(i, 0) + shift);
+    }
+    vtkPiecewiseFunction* opacity = show.Property->GetScalarOpacity();
+    opacity->RemoveAllPoints();
+    opacity->AddPoint(range[0] + shift, 0.0);
+    opacity->AddPoint(range[1] + shift, 0.8);
+    show.Mapper->SetOpacityArray("Speed");
+    pictures[isMoved] = show.Stage.Capture();
+  }
+  const PictureError error = ComparePictures(pictures[1], pictures[0]);
+  check.Near(error.Max, 0.0, 1e-3, "opacity array and function moved together", 1.0);
+}
+
 /// A state by numbers from 0 to 1, which a mapper is set to whatever it was before.
 struct State
 {
@@ -307,6 +334,7 @@ int TestFlowVolumeChanges(int, char*[])
 {
   Check check;
   TestCounters(check);
+  TestOpacityArray(check);
   TestRandom(check);
   TestShared(check);
   return check.Result();
