@@ -32,6 +32,7 @@ constexpr PictureBound Bound = { 0.02, 0.0004 };
 constexpr PictureBound PlaceBound = { 0.012, 0.0002 };
 /// An exponent that is off by a tenth has an error of 0.0076 and 0.00016.
 constexpr PictureBound ConeBound = { 0.0075, 0.00013 };
+constexpr PictureBound ScreenBound = { 0.008, 0.00014 };
 
 ShadowScene BoxesScene()
 {
@@ -161,12 +162,12 @@ void TestProjective(Check& check)
     light->SetViewUp(0.2, 1.0, 0.0);
     light->SetEdgeWidth(0.4);
     scene.Lights = { light.Get() };
-    ExpectReference(check, "window with a smooth edge" + kind, scene, Bound);
+    ExpectReference(check, "window with a smooth edge" + kind, scene, ScreenBound);
     light->SetImage(MakeSlide());
     light->SetScreenOpacity(0.9);
-    ExpectReference(check, "slide" + kind, scene, Bound);
+    ExpectReference(check, "slide" + kind, scene, ScreenBound);
     scene.Property->ShadeOff();
-    ExpectReference(check, "slide, not shaded" + kind, scene, Bound);
+    ExpectReference(check, "slide, not shaded" + kind, scene, ScreenBound);
     light->InterpolateOff();
     light->SetEdgeWidth(0.0);
     // Edges of the screen and of its samples are as wide as a slab is thick.
