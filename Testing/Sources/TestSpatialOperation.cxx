@@ -129,6 +129,31 @@ void CheckDefinitions(Check& check)
   }
 }
 
+// What takes more away than there is leaves no density that another operation could miss.
+void CheckNestedDifference(Check& check)
+{
+  check.SetContext("difference within a blend");
+  const auto makeBox = [](double density)
+  {
+    auto box = vtkSmartPointer<vtkSpatialPrimitive>::New();
+    box->SetShapeToBox();
+    box->SetDensity(density);
+    return box;
+  };
+  vtkNew<vtkSpatialOperation> difference;
+  difference->SetOperation(vtkSpatialOperation::DIFFERENCE);
+  difference->AddOperand(makeBox(0.3));
+  difference->AddOperand(makeBox(0.8));
+  vtkNew<vtkSpatialOperation> blend;
+  blend->SetOperation(vtkSpatialOperation::BLEND);
+  blend->AddOperand(difference);
+  blend->AddOperand(makeBox(0.6));
+  const double x[3] = { 0.1, 0.1, 0.1 };
+  Sample found;
+  blend->Evaluate(x, found);
+  check.Near(found.Density, 0.6, 1e-15, "density", 1.0);
+}
+
 // Two solids, where both are and where each is alone.
 void CheckSolids(Check& check)
 {
@@ -296,6 +321,7 @@ int TestSpatialOperation(int, char*[])
   Check check;
   CheckDefinitions(check);
   CheckSolids(check);
+  CheckNestedDifference(check);
   CheckSpans(check);
   CheckBounds(check);
   CheckRefusals(check);
