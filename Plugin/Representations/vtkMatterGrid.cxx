@@ -5,6 +5,7 @@
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
@@ -68,13 +69,32 @@ private:
 };
 }
 
+std::array<double, 6> vtkMatterGrid::GetBounds(vtkImageData* image)
+{
+  double inverse[9];
+  vtkMatrix3x3::Invert(image->GetDirectionMatrix()->GetData(), inverse);
+  double origin[3];
+  vtkMatrix3x3::MultiplyPoint(inverse, image->GetOrigin(), origin);
+  std::array<double, 6> bounds;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int* extent = image->GetExtent() + 2 * axis;
+    const double ends[2] = { origin[axis] + extent[0] * image->GetSpacing()[axis],
+      origin[axis] + extent[1] * image->GetSpacing()[axis] };
+    bounds[2 * axis] = std::min(ends[0], ends[1]);
+    bounds[2 * axis + 1] = std::max(ends[0], ends[1]);
+  }
+  return bounds;
+}
+
 std::vector<std::vector<vtkMatterGrid::Share>> vtkMatterGrid::FindShares(
   const Piece& piece, int axis) const
 {
   const int samples = piece.Image->GetDimensions()[axis] - (piece.IsOfCells ? 1 : 0);
   const double step = piece.Image->GetSpacing()[axis];
   const double spacing = std::abs(step);
-  const double* bounds = piece.Image->GetBounds() + 2 * axis;
+  const std::array<double, 6> box = GetBounds(piece.Image);
+  const double* bounds = box.data() + 2 * axis;
   const double lower = this->Bounds[2 * axis];
   std::vector<std::vector<Share>> shares(std::max(samples, 0));
   for (int i = 0; i < samples; ++i)
@@ -150,8 +170,8 @@ void vtkMatterGrid::Gather(
   double upper[3] = { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
   for (int axis = 0; piece.Image && axis < 3; ++axis)
   {
-    lower[axis] = piece.Image->GetBounds()[2 * axis];
-    upper[axis] = piece.Image->GetBounds()[2 * axis + 1];
+    lower[axis] = GetBounds(piece.Image)[2 * axis];
+    upper[axis] = GetBounds(piece.Image)[2 * axis + 1];
   }
   double least[3];
   double most[3];

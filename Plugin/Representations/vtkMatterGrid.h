@@ -14,8 +14,8 @@ class vtkVolumeProperty;
  * @class   vtkMatterGrid
  * @brief   coarse extinction of the pieces of a volume that other processes have
  *
- * The grid's cells fill the bounds of all pieces together, in the coordinates of the data. Each
- * process adds the extinction of its own samples, each as wide as a voxel within the piece; the sum
+ * The grid's cells fill the bounds of all pieces together, in coordinates along the axes of the
+ * images, which have one direction matrix. Each process adds the extinction of its own samples, each as wide as a voxel within the piece; the sum
  * over all processes less the own is what is outside of the own piece (LDAV 2023: a coarse global
  * attenuation instead of an exchange of light in its order).
  */
@@ -33,6 +33,9 @@ public:
     /// Whether light takes on the colour of what it passes: three channels instead of one.
     bool IsColored = false;
   };
+
+  /// Returns an image's bounds along its own axes: those that its direction matrix then turns.
+  static std::array<double, 6> GetBounds(vtkImageData* image);
 
   /**
    * Makes the grid with \a resolution cells along the longest edge. All processes of the controller

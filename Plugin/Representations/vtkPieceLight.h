@@ -29,7 +29,7 @@ public:
   ~vtkPieceLight();
 
   /**
-   * Returns the light that shines on the box \a bounds, in coordinates of the data, which \a matrix
+   * Returns the light that shines on the box \a bounds, in coordinates of the grid, which \a matrix
    * takes to the world; \a version changes with the grid. Returns \a light itself where nothing
    * outside takes any of it, and where no screen can cover the piece, as from inside of it, or an
    * area light with an extent, whose shadows would be hard.

@@ -7,13 +7,17 @@
 #include "vtkCommunicator.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <vector>
 
@@ -100,13 +104,22 @@ void vtkPieceSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   }
   const LightList lights = vtkLightList::Get(renderer);
   const std::set<vtkLight*> shadowed = FindShadowed(lights, this->GetMaximumNumberOfShadows());
+  const std::array<double, 6> bounds = vtkMatterGrid::GetBounds(image);
+  vtkNew<vtkMatrix4x4> worldFromAxes;
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      worldFromAxes->SetElement(row, column, image->GetDirectionMatrix()->GetElement(row, column));
+    }
+  }
+  vtkMatrix4x4::Multiply4x4(volume->GetMatrix(), worldFromAxes, worldFromAxes);
   LightList reaching;
   for (const auto& light : lights)
   {
-    reaching.emplace_back(shadowed.count(light) > 0
-        ? this->Lights[light].Update(
-            light, *this->Grid, this->Version, image->GetBounds(), volume->GetMatrix())
-        : light.Get());
+    reaching.emplace_back(shadowed.count(light) > 0 ? this->Lights[light].Update(light, *this->Grid,
+                                                        this->Version, bounds.data(), worldFromAxes)
+                                                    : light.Get());
   }
   vtkLightList::Set(renderer, reaching);
   this->Superclass::Render(renderer, volume);

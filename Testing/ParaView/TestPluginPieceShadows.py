@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pieces of a volume on several processes shadow each other: the picture is nearly that of one process,
-and much nearer than with shadows that end at the pieces' borders.
+and much nearer than with shadows that end at the pieces' borders. Also where a direction matrix turns the image.
 
 Arguments: `write` or `compare`, and the file of the pictures of one process."""
 
@@ -13,7 +13,16 @@ from plugin_pictures import plain_view, snapshot
 from plugin_testing import Checks, load_plugin
 
 WHITE = [1.0, 1.0, 1.0]
-LIGHTS = {"parallel": ("Directional", [3.0, 10.0, 6.0]), "point": ("Positional", [12.0, 40.0, 24.0])}
+LIGHTS = {"parallel": ("Directional", [3.0, 10.0, 6.0]), "point": ("Positional", [12.0, 40.0, 24.0]),
+          "turned": ("Directional", [3.0, 10.0, 6.0])}
+# A quarter turn about z and a reflection, of an image that is not as long along x as along y.
+TURN = """
+image = self.GetImageDataOutput()
+image.ShallowCopy(self.GetImageDataInput(0))
+image.SetSpacing(0.6, 1.0, 1.0)
+image.SetOrigin(2.0, -1.0, 0.0)
+image.SetDirectionMatrix(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, -1.0)
+"""
 # The mean difference to one process in steps of 1/255 with the grid, and what it is at most of that without.
 LARGEST_MEAN = 1.0
 LARGEST_SHARE = 0.25
@@ -52,10 +61,11 @@ def main():
     checks = Checks()
     source = simple.Wavelet()
     source.UpdatePipeline()
+    turned = simple.ProgrammableFilter(Input=source, Script=TURN)
     pictures = {}
     for name, (kind, position) in LIGHTS.items():
         view = make_view(kind, position)
-        display = show(source, view)
+        display = show(turned if name == "turned" else source, view)
         for size in (64, 0):
             display.ShadowGridResolution = size
             pictures[f"{name}-{size}"] = snapshot(view)
