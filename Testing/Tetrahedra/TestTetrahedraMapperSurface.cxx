@@ -190,10 +190,41 @@ void TestOpaque(Check& check, int path, bool parallel)
   Surface surface(path, sides, 1.0);
   const std::string name = GetName(path, parallel) + ", opaque sides";
   const RgbaPicture found = DrawByMapper(surface.Drawer, what);
-  check.Equal(surface.Drawer->GetReport().BoundaryTriangles, sides->GetNumberOfCells(),
-    name + ": triangles");
+  check.Equal(
+    surface.Drawer->GetReport().BoundaryTriangles, sides->GetNumberOfCells(), name + ": triangles");
   ExpectInside(check, what.Grid, what.Camera, found,
     DrawTriangles(sides, what.Camera, FaceColor, nullptr), name);
+}
+
+/// Triangles are lit from the side that is seen, whichever way their normals point.
+void TestBothSides(Check& check, int path)
+{
+  PictureCase what;
+  what.Grid = MakeCube(4);
+  what.Property = MakeRamp(0.0, 1.0, 0.25);
+  what.Camera = LookAt(what.Grid, Slanted, false);
+  what.Settings.Size = Size;
+  RgbaPicture pictures[2];
+  double brightest = 0.0;
+  for (const int side : { 0, 1 })
+  {
+    const auto middle = MakeMiddle(what.Grid);
+    vtkNew<vtkFloatArray> normals;
+    normals->SetNumberOfComponents(3);
+    for (vtkIdType id = 0; id < middle->GetNumberOfPoints(); ++id)
+    {
+      normals->InsertNextTuple3(0.0, 0.0, side == 0 ? 1.0 : -1.0);
+    }
+    middle->GetPointData()->SetNormals(normals);
+    Surface surface(path, middle, 1.0);
+    surface.Property->SetAmbient(0.0);
+    surface.Property->SetDiffuse(1.0);
+    pictures[side] = DrawByMapper(surface.Drawer, what);
+    brightest = std::max(brightest, pictures[side].At(Size[0] / 2, Size[1] / 2)[2]);
+  }
+  const std::string name = GetPathName(path) + ", normals away from the eye";
+  check.That(brightest > 0.5, name + ": lit");
+  check.Near(ComparePictures(pictures[1], pictures[0]).Max, 0.0, 1e-6, name, 1.0);
 }
 
 /// An image of two colours, left and right, and texture coordinates x and y.
@@ -291,8 +322,8 @@ void TestSlab(Check& check, int path, bool parallel, const Point3& direction, do
   const RgbaPicture found = DrawByMapper(surface.Drawer, what);
   const std::string name =
     GetName(path, parallel) + ", " + kind + ", opacity " + std::to_string(opacity);
-  check.Equal(surface.Drawer->GetReport().BoundaryTriangles, faces->GetNumberOfCells(),
-    name + ": triangles");
+  check.Equal(
+    surface.Drawer->GetReport().BoundaryTriangles, faces->GetNumberOfCells(), name + ": triangles");
   check.Equal(surface.Drawer->GetReport().UnmatchedTriangles, 0, name + ": unmatched");
   const PixelRays rays(what.Camera, Size);
   int inside = 0;
@@ -518,6 +549,7 @@ int TestTetrahedraMapperSurface(int, char*[])
       TestTexture(check, path, parallel);
       TestFaces(check, path, parallel);
     }
+    TestBothSides(check, path);
     TestUnmatched(check, path);
     TestChanges(check, path);
     TestOtherModes(check, path);
