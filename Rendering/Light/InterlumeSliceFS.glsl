@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 //INTERLUME::FEATURES
-#ifdef CASTER_GATHER
+#if defined(CASTER_GATHER) || defined(SPANS)
 #extension GL_ARB_texture_gather : enable
 #endif
 #define COLOR
@@ -60,6 +60,11 @@ float opacity = 0.0;
 // Whether matter begins within the segment.
 bool isFront = false;
 #endif
+#ifdef SPANS
+// The matter at the ends of the segment.
+Place startPlace;
+Place endPlace;
+#endif
 
 vec3 colorAt(vec4 texel, int row)
 {
@@ -108,24 +113,30 @@ vec3 meanOfProduct(vec3 first, vec3 last)
 }
 #endif
 
-#ifdef BACK_TO_FRONT
-// Returns the mean over the segment, weighted by what the eye sees, of light that is known where the
-// segment starts and in its middle: on an exponential where it falls; where it rises, which has no
-// bound on an exponential, between both.
-float meanFrom(float start, float middle)
+#if defined(BACK_TO_FRONT) || defined(SPANS)
+// Returns the mean over the segment, weighted by what the eye sees, of light that is known at its
+// ends: on an exponential where it falls; where it rises, which has no bound on an exponential,
+// between both.
+float meanFrom(float start, float end)
 {
+  float transmittance = 1.0 - opacity;
+  float weight = opticalDepth / opacity;
+  if (start > end)
+  {
+    float sum = opticalDepth + log(start / max(end, 1e-30));
+    float mean = sum < 1e-2 ? start * (1.0 - sum * (0.5 - sum * (1.0 / 6.0)))
+                            : (start - transmittance * end) / sum;
+    return mean * weight;
+  }
   float seen = opticalDepth < 0.05 ? 0.5 - opticalDepth / 12.0
-                                   : 1.0 / opticalDepth - (1.0 - opacity) / opacity;
-  return start > middle
-    ? start * meanOfProduct(0.0, 2.0 * log(start / max(middle, 1e-30)))
-    : mix(start, middle, 2.0 * seen);
+                                   : (1.0 - transmittance * weight) / opticalDepth;
+  return mix(start, end, seen);
 }
 
 #ifdef TRANSMISSION
-vec3 meanFrom(vec3 start, vec3 middle)
+vec3 meanFrom(vec3 start, vec3 end)
 {
-  return vec3(meanFrom(start.r, middle.r), meanFrom(start.g, middle.g),
-    meanFrom(start.b, middle.b));
+  return vec3(meanFrom(start.r, end.r), meanFrom(start.g, end.g), meanFrom(start.b, end.b));
 }
 #endif
 #endif
@@ -224,15 +235,32 @@ void main()
   {
     discard;
   }
+#ifdef SPANS
+  startPlace = placeAt(place + sightline * lower, p + q * lower);
+  endPlace = placeAt(place + sightline * upper, p + q * upper);
+  vec4 parts = vec4(0.0);
+#if ROWS == 1
+  parts.x = meanExtinctions(startPlace, endPlace);
+#else
+  parts = meanExtinctions(startPlace, endPlace);
+#endif
+  sampleExtinction = dot(parts, vec4(1.0));
+  float center = middleOf(startPlace, endPlace);
+  vec4 texel = mix(startPlace.Texel, endPlace.Texel, center);
+  float middle = mix(lower, upper, center);
+#else
   float middle = 0.5 * (lower + upper);
+#endif
   sampleAt = place + sightline * middle;
   vec3 sampleInTexture = p + q * middle;
 #ifdef MATTER
   setSampleSize(sightline, upper - lower, pixelX, pixelY);
 #endif
+#ifndef SPANS
   vec4 texel;
   vec4 parts;
   sampleExtinction = extinctionsAt(sampleAt, sampleInTexture, texel, parts);
+#endif
 #ifdef EMPTY
   // What is not marked by its depth is drawn next.
   if (sampleExtinction > 0.0)

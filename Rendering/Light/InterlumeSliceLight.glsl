@@ -97,7 +97,7 @@ float getPath_INDEX(vec3 x, vec3 p, vec3 l, vec3 inverse)
   return upper - lower;
 }
 
-#if defined(THICK) || defined(WIDE_INDEX)
+#if defined(THICK) || defined(WIDE_INDEX) || defined(SPANS)
 // The four texels around a place in a map, and its share of the way between them.
 void getTexels_INDEX(sampler2D map, vec2 uv, out LIGHT texels[4], out vec2 part)
 {
@@ -118,6 +118,37 @@ void getTexels_INDEX(sampler2D map, vec2 uv, out LIGHT texels[4], out vec2 part)
 LIGHT interpolate_INDEX(LIGHT texels[4], vec2 part)
 {
   return mix(mix(texels[0], texels[1], part.x), mix(texels[2], texels[3], part.x), part.y);
+}
+
+#endif
+#ifndef WIDE_INDEX
+// Returns the transmittance up to the slab of the light ray that goes on to x. If opacity rises
+// evenly from the surface of matter, optical depth grows about as the square of the distance d from
+// there, and transmittance is about (1 - d^2)^2: texels are interpolated as d.
+LIGHT getOutside_INDEX(vec3 x)
+{
+  vec4 b = bufferFromUnit_INDEX * vec4(x, 1.0);
+  vec2 uv = b.xy / b.w * 0.5 + 0.5;
+#if defined(NEAREST_LIGHT) || !defined(SPANS)
+  return textureLod(buffer_INDEX, uv, 0.0).CHANNELS;
+#else
+#if defined(GL_ARB_texture_gather) && !defined(TRANSMISSION)
+  vec2 part = fract(uv * vec2(textureSize(buffer_INDEX, 0)) - 0.5);
+  vec4 texels = sqrt(max(1.0 - sqrt(textureGather(buffer_INDEX, uv)), vec4(0.0)));
+  float depth = mix(mix(texels.w, texels.z, part.x), mix(texels.x, texels.y, part.x), part.y);
+#else
+  LIGHT texels[4];
+  vec2 part;
+  getTexels_INDEX(buffer_INDEX, uv, texels, part);
+  for (int i = 0; i < 4; ++i)
+  {
+    texels[i] = sqrt(max(1.0 - sqrt(texels[i]), LIGHT(0.0)));
+  }
+  LIGHT depth = interpolate_INDEX(texels, part);
+#endif
+  LIGHT root = 1.0 - depth * depth;
+  return root * root;
+#endif
 }
 
 #endif
@@ -191,7 +222,8 @@ LIGHT getNearDepth_INDEX(vec3 x, vec3 l, inout bool isHard)
     float share = float(i) / float(steps);
     float to = way * 0.5 * share * (1.0 + share);
     Place there = placeAt(x - l * to, p - q * to);
-    depth += meanExtinction(here, there) * (to - from) * (0.5 * (here.Part + there.Part));
+    LIGHT part = 0.5 * (PART(here.Texel) + PART(there.Texel));
+    depth += meanExtinction(here, there) * (to - from) * part;
     isHard = isHard || jumps(here, there);
     here = there;
     from = to;
@@ -255,27 +287,53 @@ bool findTransmittance_INDEX(vec3 l, out LIGHT result)
 }
 #endif
 
-#if defined(BACK_TO_FRONT) && !defined(WIDE_INDEX)
-// Returns the transmittance up to the slab of the light ray along l that goes on to x.
-LIGHT getOutside_INDEX(vec3 x)
+#if (defined(SPANS) || defined(BACK_TO_FRONT)) && !defined(WIDE_INDEX)
+// Returns the transmittance from the light along l to the end of the segment at which light leaves the
+// slab. The other end is where light enters the slab.
+LIGHT getFarEnd_INDEX(vec3 l, vec3 inverse)
 {
-  vec4 b = bufferFromUnit_INDEX * vec4(x, 1.0);
-  return textureLod(buffer_INDEX, b.xy / b.w * 0.5 + 0.5, 0.0).CHANNELS;
-}
-
-// Returns the transmittance of the slab's matter on the light ray along l that ends where the segment
-// starts: as in the light's buffer, by the extinction in the middle of that way.
-LIGHT getStart_INDEX(vec3 l, vec3 inverse)
-{
-  float lower = -getWay_INDEX(segmentStart, startInTexture, l, inverse);
+#ifdef BACK_TO_FRONT
+  vec3 x = segmentStart;
+  vec3 p = startInTexture;
+#else
+  vec3 x = segmentEnd;
+  vec3 p = endInTexture;
+#endif
+  vec3 q = mat3(textureFromUnit) * l;
+  float lower = -getWay_INDEX(x, p, l, inverse);
   float upper = 0.0;
-  cutToRegions(segmentStart, l, lower, upper);
+  cutToRegions(x, l, lower, upper);
+  float way = upper - lower;
+#ifndef SPANS
   float middle = 0.5 * (lower + upper);
   vec4 texel;
   vec4 parts;
-  float extinction = extinctionsAt(segmentStart + l * middle,
-    startInTexture + mat3(textureFromUnit) * l * middle, texel, parts);
-  return exp(-extinction * (upper - lower) * PART(texel));
+  float extinction = extinctionsAt(x + l * middle, p + q * middle, texel, parts);
+  LIGHT depth = extinction * way * PART(texel);
+#else
+#ifdef CROPPING
+  Place last = placeAt(x + l * upper, p + q * upper);
+#elif defined(BACK_TO_FRONT)
+  Place last = startPlace;
+#else
+  Place last = endPlace;
+#endif
+  LIGHT depth = depthBetween(placeAt(x + l * lower, p + q * lower), last, way);
+#endif
+  return getOutside_INDEX(x) * exp(-depth);
+}
+
+// Returns the same for the end at which light enters the slab: there is matter before it only if the
+// segment is cut.
+LIGHT getNearEnd_INDEX(vec3 l, vec3 inverse)
+{
+#ifdef BACK_TO_FRONT
+  float way = getPath_INDEX(segmentEnd, endInTexture, l, inverse);
+  return getOutside_INDEX(segmentEnd) * exp(-sampleExtinction * way * LIGHT(samplePart));
+#else
+  float way = getPath_INDEX(segmentStart, startInTexture, l, inverse);
+  return getOutside_INDEX(segmentStart) * exp(-sampleExtinction * way * LIGHT(samplePart));
+#endif
 }
 #endif
 
@@ -295,10 +353,6 @@ LIGHT getTransmittance_INDEX(vec3 l)
   {
     return found;
   }
-#endif
-#ifndef BACK_TO_FRONT
-  vec4 b = bufferFromUnit_INDEX * vec4(sampleAt, 1.0);
-  vec2 uv = b.xy / b.w * 0.5 + 0.5;
 #endif
 #endif
   vec3 inverse = inverseOf(mat3(textureFromUnit) * l);
@@ -324,19 +378,24 @@ LIGHT getTransmittance_INDEX(vec3 l)
     }
     return outside * exp(-depth);
   }
-#elif !defined(BACK_TO_FRONT)
-  LIGHT outside = textureLod(buffer_INDEX, uv, 0.0).CHANNELS;
+#elif !defined(SPANS) && !defined(BACK_TO_FRONT)
+  LIGHT outside = getOutside_INDEX(sampleAt);
 #endif
-#if defined(BACK_TO_FRONT) && !defined(WIDE_INDEX)
-  // What the eye sees first, light reaches last: matter begins between both wherever a surface is lit
-  // and seen, and the sample's extinction on all of the light's way would be a shadow of its own.
-  float way = getPath_INDEX(sampleAt, 0.5 * (startInTexture + endInTexture), l, inverse);
-  return meanFrom(getOutside_INDEX(segmentStart) * getStart_INDEX(l, inverse),
-    getOutside_INDEX(sampleAt) * exp(-sampleExtinction * way * LIGHT(samplePart)));
-#else
+#if defined(WIDE_INDEX) || !(defined(SPANS) || defined(BACK_TO_FRONT))
   LIGHT first = sampleExtinction * getPath_INDEX(segmentStart, startInTexture, l, inverse) * samplePart;
   LIGHT last = sampleExtinction * getPath_INDEX(segmentEnd, endInTexture, l, inverse) * samplePart;
   return outside * meanOfProduct(first, last);
+#elif !defined(SPANS)
+  // Light is known where the segment starts and in its middle.
+  LIGHT start = getFarEnd_INDEX(l, inverse);
+  float way = getPath_INDEX(sampleAt, 0.5 * (startInTexture + endInTexture), l, inverse);
+  LIGHT middle = getOutside_INDEX(sampleAt) * exp(-sampleExtinction * way * LIGHT(samplePart));
+  return meanFrom(start,
+    mix(2.0 * middle - start, middle * middle / max(start, LIGHT(1e-30)), step(middle, start)));
+#elif defined(BACK_TO_FRONT)
+  return meanFrom(getFarEnd_INDEX(l, inverse), getNearEnd_INDEX(l, inverse));
+#else
+  return meanFrom(getNearEnd_INDEX(l, inverse), getFarEnd_INDEX(l, inverse));
 #endif
 }
 #endif

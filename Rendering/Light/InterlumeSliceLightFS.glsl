@@ -76,6 +76,10 @@ void main()
     float extinction = extinctionsAt(x + l * s, p + q * s, texel, parts);
     depth += extinction * (to - from) * PART(texel);
   }
+#elif defined(SPANS)
+  cutToRegions(x, l, lower, upper);
+  LIGHT depth = depthBetween(placeAt(x + l * lower, p + q * lower),
+    placeAt(x + l * upper, p + q * upper), upper - lower);
 #else
   cutToRegions(x, l, lower, upper);
   float middle = 0.5 * (lower + upper);

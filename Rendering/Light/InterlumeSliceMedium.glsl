@@ -8,7 +8,7 @@
 #else
 uniform sampler3D volume;
 uniform sampler2D extinctions;
-#ifdef THICK
+#ifdef SUMS
 uniform sampler2D extinctionSums;
 #endif
 // The factor of columns: a texel less the origin, times the scale, is a column.
@@ -122,14 +122,19 @@ vec3 lookUpColorBends(int first, float share)
 }
 #endif
 
-#ifdef THICK
+#ifdef SUMS
 // Returns the extinction at a column, and the sum of extinctions from the first column to it.
 vec2 lookUpSum(float column, int row)
 {
   float place = clamp(column, 0.0, float(COLUMNS - 1));
   int first = int(place);
-  vec2 sums = texelFetch(extinctionSums, ivec2(first, row), 0).rg;
+  // Sums to this column and the next one, and the extinctions there.
+  vec4 sums = texelFetch(extinctionSums, ivec2(first, row), 0);
+#if defined(BENDS) || defined(EDGES)
   float extinction = lookUp(extinctions, column, row);
+#else
+  float extinction = mix(sums.z, sums.w, place - float(first));
+#endif
   // Values beyond the columns have the extinction of their ends.
   float sum = mix(sums.x, sums.y, place - float(first)) + extinction * (column - place);
   return vec2(extinction, sum);
@@ -287,19 +292,7 @@ float extinctionsAt(vec3 x, vec3 p, out vec4 texel, out vec4 parts)
 }
 #endif
 
-#ifdef THICK
-#ifdef TRANSMISSION
-float largestOf(vec3 light)
-{
-  return max(max(light.r, light.g), light.b);
-}
-#else
-float largestOf(float light)
-{
-  return light;
-}
-#endif
-
+#ifdef SUMS
 #if ROWS == 1
 #define VALUES float
 #else
@@ -314,15 +307,15 @@ struct Place
   VALUES Extinctions;
   VALUES Sums;
   float Share;
-  LIGHT Part;
+  vec4 Texel;
 };
 
-Place placeOf(VALUES columns, float share, LIGHT part)
+Place placeOf(VALUES columns, float share, vec4 texel)
 {
   Place place;
   place.Columns = columns;
   place.Share = share;
-  place.Part = part;
+  place.Texel = texel;
 #if ROWS == 1
   vec2 found = lookUpSum(columns, 0);
   place.Extinctions = found.x;
@@ -349,19 +342,20 @@ float extinctionOf(Place place)
 #endif
 }
 
-// Finds the place x, which is p in the texture. Opacity by gradients is part of the share.
+// Finds the place x, which is p in the texture. Opacity by gradients is part of the share, and so is
+// cropping, but of spans, which are cut before.
 Place placeAt(vec3 x, vec3 p)
 {
   float share;
   vec4 texel = texelAt(p, share);
-#ifdef CROPPING
+#if defined(CROPPING) && !defined(SPANS)
   share = isCropped(x) ? 0.0 : share;
 #endif
   vec4 columns = (texel - columnOrigin) * columnScale;
 #if ROWS == 1
-  Place place = placeOf(columns.OPACITY_OF, share * worldLength, PART(texel));
+  Place place = placeOf(columns.OPACITY_OF, share * worldLength, texel);
 #else
-  Place place = placeOf(columns, share * worldLength, PART(texel));
+  Place place = placeOf(columns, share * worldLength, texel);
 #endif
 #ifdef GRADIENT_OPACITY
   float whole = extinctionOf(place);
@@ -374,27 +368,63 @@ Place placeAt(vec3 x, vec3 p)
 
 Place placeBetween(Place a, Place b, float part)
 {
-  return placeOf(mix(a.Columns, b.Columns, part), mix(a.Share, b.Share, part), a.Part);
+  return placeOf(mix(a.Columns, b.Columns, part), mix(a.Share, b.Share, part), a.Texel);
 }
 
-// Returns the mean extinction on the way from one place to another.
-float meanExtinction(Place a, Place b)
+// Returns the mean extinctions of the rows on the way from one place to another.
+VALUES meanExtinctions(Place a, Place b)
 {
   VALUES change = b.Columns - a.Columns;
-  VALUES level = 0.5 * (a.Extinctions + b.Extinctions);
-  float share = 0.5 * (a.Share + b.Share);
+  VALUES mean = 0.5 * (a.Extinctions + b.Extinctions);
   // Sums up to nearly the same column have no digits for their difference.
 #if ROWS == 1
-  return share * (abs(change) < 0.5 ? level : (b.Sums - a.Sums) / change);
+  mean = abs(change) < 0.5 ? mean : (b.Sums - a.Sums) / change;
 #else
-  float sum = 0.0;
   for (int row = 0; row < ROWS; ++row)
   {
-    sum += abs(change[row]) < 0.5 ? level[row] : (b.Sums[row] - a.Sums[row]) / change[row];
+    mean[row] = abs(change[row]) < 0.5 ? mean[row] : (b.Sums[row] - a.Sums[row]) / change[row];
   }
-  return share * sum;
+#endif
+  return 0.5 * (a.Share + b.Share) * max(mean, VALUES(0.0));
+}
+
+// Returns the same of all rows together.
+float meanExtinction(Place a, Place b)
+{
+#if ROWS == 1
+  return meanExtinctions(a, b);
+#else
+  return dot(meanExtinctions(a, b), vec4(1.0));
 #endif
 }
+
+// Returns where between two places, 0 to 1, the matter on the way is on the average.
+float middleOf(Place a, Place b)
+{
+  float first = extinctionOf(a);
+  float last = extinctionOf(b);
+  float sum = first + last;
+  return sum > 0.0 ? (first + 2.0 * last) / (3.0 * sum) : 0.5;
+}
+
+// Returns the optical depth of a way of a length from one place to another.
+LIGHT depthBetween(Place a, Place b, float length)
+{
+  return meanExtinction(a, b) * length * PART(mix(a.Texel, b.Texel, middleOf(a, b)));
+}
+
+#ifdef THICK
+#ifdef TRANSMISSION
+float largestOf(vec3 light)
+{
+  return max(max(light.r, light.g), light.b);
+}
+#else
+float largestOf(float light)
+{
+  return light;
+}
+#endif
 
 // Returns whether extinctions jump on the way: in the middle they are far from the mean of both
 // ends.
@@ -442,4 +472,5 @@ float depthOfSlab(vec3 x, vec3 d, vec3 p, vec3 q, float across, float start, flo
   upper = borders.y;
   return max(depth, 1e-6);
 }
+#endif
 #endif

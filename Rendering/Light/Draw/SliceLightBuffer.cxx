@@ -147,7 +147,7 @@ std::string SliceLightBuffer::PrepareVolume(vtkOpenGLRenderWindow* window,
   {
     own.TileVertices->Upload(drawn, vtkOpenGLBufferObject::ArrayBuffer);
   }
-  const std::string source = SliceShader::GetLightSource(frame, light);
+  const std::string source = SliceShader::GetLightSource(frame, light, hasLayers);
   std::string error =
     own.Slices.Prepare(window, source, isTiled ? own.TileVertices.Get() : part.GetVertices());
   if (!error.empty())

@@ -336,9 +336,14 @@ std::string SliceRasterizer::PrepareParts(vtkOpenGLRenderWindow* window, const S
   std::vector<SlicePlan::Matter> matter;
   this->HasThickPart = false;
   this->HasMarks = false;
+  this->IsDense = false;
   for (const std::unique_ptr<SlicePart>& part : this->Parts)
   {
     const SliceFrame& own = part->GetFrame();
+    // The depth of a slab above which few slabs hide what is behind.
+    constexpr double dense = 1.0;
+    this->IsDense =
+      this->IsDense || (!own.Matter && SliceShader::GetLargestDepth(own, sweepIndex) > dense);
     matter.push_back({ &own.Space, own.Region.Box, 0.0 });
     this->HasThickPart = this->HasThickPart || SliceShader::HasThickPart(own, sweepIndex);
     // Depths of a slab's middle behind the far plane would not pass the test.
@@ -405,6 +410,7 @@ std::string SliceRasterizer::DrawSweep(vtkOpenGLRenderWindow* window, const Slic
   this->BeginSweep(window, frame, sweepIndex, report);
   const int interval =
     this->HasThickPart ? SliceOcclusion::ThickInterval : SliceOcclusion::Interval;
+  const int pictureInterval = this->IsDense ? SliceOcclusion::ThickInterval : interval;
   int drawn = 0;
   for (int slab = 0; slab < sweep.Slabs && !isAborted(); ++slab)
   {
@@ -425,9 +431,15 @@ std::string SliceRasterizer::DrawSweep(vtkOpenGLRenderWindow* window, const Slic
     }
     this->DrawSlab(window, frame, sweep, slab, report);
     ++drawn;
-    if (drawn % interval == 0)
+    if (sweep.IsFrontToBack && drawn % pictureInterval == 0)
     {
-      report.OcclusionPasses += this->MarkOccluded(window, sweep);
+      this->MarkPicture(window);
+      ++report.OcclusionPasses;
+    }
+    for (std::size_t i = 0; i < sweep.Lights.size() && drawn % interval == 0; ++i)
+    {
+      this->GetLightBuffer(sweep.Lights[i].Light).MarkOccluded(window);
+      ++report.OcclusionPasses;
     }
   }
   this->DrawReceivers(window, sweep.Slabs, report);
@@ -516,22 +528,6 @@ void SliceRasterizer::KeepLayers(vtkOpenGLRenderWindow* window, const Sweep& swe
         static_cast<float>(sweep.First + buffer.GetLayerSlab(volume) * sweep.Spacing));
     }
   }
-}
-
-int SliceRasterizer::MarkOccluded(vtkOpenGLRenderWindow* window, const Sweep& sweep)
-{
-  int passes = 0;
-  if (sweep.IsFrontToBack)
-  {
-    this->MarkPicture(window);
-    ++passes;
-  }
-  for (const SlicePlan::ShadowedLight& light : sweep.Lights)
-  {
-    this->GetLightBuffer(light.Light).MarkOccluded(window);
-    ++passes;
-  }
-  return passes;
 }
 
 void SliceRasterizer::AddSweep(vtkOpenGLRenderWindow* window, const SliceFrame& frame)

@@ -116,8 +116,6 @@ private:
   void DrawReceivers(vtkOpenGLRenderWindow* window, int slab, vtkShadowedSliceReport& report);
   /// Binds the textures of a volume alone, where there are several.
   void BindPart(vtkOpenGLRenderWindow* window, std::size_t number);
-  /// Marks what is already opaque. Returns the passes that this took.
-  int MarkOccluded(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep);
   void AddSweep(vtkOpenGLRenderWindow* window, const SliceFrame& frame);
 
   std::vector<std::unique_ptr<SlicePart>> Parts;
@@ -129,6 +127,8 @@ private:
   vtkNew<vtkTextureObject> SweepImage;
   vtkNew<vtkTextureObject> OpaqueDepth;
   bool HasThickPart = false;
+  /// If true, some volume hides what is behind it within few slabs.
+  bool IsDense = false;
   /// Whether some volume has two programs, and slices depths of their own.
   bool HasMarks = false;
   bool HasReceivers = false;

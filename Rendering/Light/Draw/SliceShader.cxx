@@ -31,6 +31,10 @@ namespace
 // The optical depth of a slab from which on it counts as thick: thinner ones show no steps.
 constexpr double LeastDepth = 0.15;
 
+// The optical depth of a slab from which on the surfaces of matter are ramps as narrow as the texels of
+// light buffers. In thinner matter interpolation along a ramp would move edges of faint shadows.
+constexpr double RampDepth = 1.0;
+
 // The share of samples with matter up to which software OpenGL draws what is empty first. A sphere
 // that fills two thirds of its blocks takes as long either way.
 constexpr double MostForEmptyPart = 0.5;
@@ -86,6 +90,14 @@ std::string GetMedium(const SliceFrame& frame)
 bool HasTransmission(const SliceFrame& frame)
 {
   return frame.GetLightChannels() > 1 && frame.HasShadows();
+}
+
+// Returns whether extinctions are integrated between samples at the ends of a ray's way through a
+// slab, instead of taken from its middle.
+bool HasSpans(const SliceFrame& frame, bool isThick)
+{
+  return !isThick && frame.HasShadows() && !frame.Matter &&
+    frame.Material.GradientOpacity.empty() && SliceShader::GetLargestDepth(frame, 0) > RampDepth;
 }
 
 std::string GetTransmissionFeatures(const SliceFrame& frame)
@@ -410,22 +422,23 @@ std::vector<int> SliceShader::GetLightsOf(const SliceFrame& frame, std::size_t s
   return lights;
 }
 
-bool SliceShader::HasThickPart(const SliceFrame& frame, std::size_t sweep)
+double SliceShader::GetLargestDepth(const SliceFrame& frame, std::size_t sweep)
 {
   const MaterialTable& material = frame.Material;
-  // On a ramp that is steep some slabs would see a jump and others none, which shows as stripes.
-  if (!material.HasSharpOpacity())
-  {
-    return false;
-  }
   double extinction = 0.0;
   for (int row = 0; row < material.Rows; ++row)
   {
     const std::array<double, 2>& range = material.OpacityRange[row];
     extinction += material.GetLargestExtinction(row, range[0], range[1]);
   }
+  return extinction * frame.Plan.Sweeps[sweep].Spacing * frame.Space.Radius;
+}
+
+bool SliceShader::HasThickPart(const SliceFrame& frame, std::size_t sweep)
+{
   const SlicePlan::Sweep& planned = frame.Plan.Sweeps[sweep];
-  return extinction * planned.Spacing * frame.Space.Radius > LeastDepth &&
+  // On a ramp that is steep some slabs would see a jump and others none, which shows as stripes.
+  return frame.Material.HasSharpOpacity() && GetLargestDepth(frame, sweep) > LeastDepth &&
     std::any_of(planned.Lights.begin(), planned.Lights.end(),
       [](const ShadowedLight& light) { return !light.IsWide; });
 }
@@ -450,6 +463,8 @@ std::string SliceShader::GetEyeSource(
   std::string features = GetMediumFeatures(frame);
   const std::array<const char*, 4> names{ { "", " THIN", " EMPTY", " THICK" } };
   features += names[part];
+  const bool isThick = HasThickPart(frame, sweep);
+  features += part == THICK ? " SUMS" : HasSpans(frame, isThick) ? " SUMS SPANS" : "";
   features += part == ALL ? "" : " LEAST_DEPTH=" + std::to_string(LeastDepth);
   features += frame.IsSmoothLookup ? "" : " NEAREST_LIGHT";
   features += frame.Eye.IsParallel ? "" : " PERSPECTIVE";
@@ -506,11 +521,11 @@ std::string SliceShader::GetEyeSource(
 }
 
 std::string SliceShader::GetLightSource(
-  const SliceFrame& frame, const SlicePlan::ShadowedLight& light)
+  const SliceFrame& frame, const SlicePlan::ShadowedLight& light, bool isThick)
 {
   std::string features = GetMediumFeatures(frame);
   features += GetTransmissionFeatures(frame);
-  features += light.IsWide ? " WIDE" : "";
+  features += light.IsWide ? " WIDE" : HasSpans(frame, isThick) ? " SUMS SPANS" : "";
   features += frame.Lights[light.Light].IsPositional ? " POSITIONAL" : "";
   // Equal sources would share one program, and its uniforms.
   features += " LIGHT_NUMBER=" + std::to_string(light.Light);

@@ -29,6 +29,8 @@ public:
     EMPTY,
     THICK
   };
+  /// Returns the largest optical depth of a slab of a sweep along its normal.
+  static double GetLargestDepth(const SliceFrame& frame, std::size_t sweep);
   /// Returns whether thick matter is drawn by itself in a sweep: where there is some, and a light
   /// seen through a plane casts shadows in it.
   static bool HasThickPart(const SliceFrame& frame, std::size_t sweep);
@@ -46,8 +48,10 @@ public:
   static std::string GetEyeSource(
     const SliceFrame& frame, std::size_t sweep, bool isOccluded, Parts part);
   /// Returns the source of the shader for the fragments of a light's buffer, different for each
-  /// light, which so keeps its uniforms from slab to slab.
-  static std::string GetLightSource(const SliceFrame& frame, const SlicePlan::ShadowedLight& light);
+  /// light, which so keeps its uniforms from slab to slab. If \a isThick, the sweep has thick
+  /// matter.
+  static std::string GetLightSource(
+    const SliceFrame& frame, const SlicePlan::ShadowedLight& light, bool isThick);
 
   /// Returns the source of the shader for the surfaces of a scene that a light shines on,
   /// different for each light.

@@ -138,20 +138,22 @@ double GetMean(const MaterialTable& material, std::size_t i, double value, doubl
   return mean;
 }
 
-// Returns the sum of extinctions from the first column to each, and to the next one.
+// Returns the sum of extinctions from the first column to each, and to the next one, and the
+// extinctions of both.
 std::vector<float> MakeSums(const MaterialTable& material)
 {
   std::vector<float> sums;
-  sums.reserve(2 * material.ExtinctionBends.size());
+  sums.reserve(4 * material.ExtinctionBends.size());
   double sum = 0.0;
   for (std::size_t i = 0; i < material.ExtinctionBends.size(); ++i)
   {
     const bool isLast = (i + 1) % MaterialTable::Columns == 0;
-    const double next = isLast
-      ? 0.0
-      : sum + GetMean(material, i, material.Colors[4 * i + 3], material.Colors[4 * i + 7]);
-    sums.insert(sums.end(), { static_cast<float>(sum), static_cast<float>(isLast ? sum : next) });
-    sum = next;
+    const float extinction = material.Colors[4 * i + 3];
+    const float nextExtinction = isLast ? extinction : material.Colors[4 * i + 7];
+    const double next = isLast ? sum : sum + GetMean(material, i, extinction, nextExtinction);
+    sums.insert(sums.end(),
+      { static_cast<float>(sum), static_cast<float>(next), extinction, nextExtinction });
+    sum = isLast ? 0.0 : next;
   }
   return sums;
 }
@@ -292,7 +294,7 @@ void SliceTextures::Activate(vtkShaderProgram* program)
   if (!this->SumTexels.empty() && program->IsUniformUsed("extinctionSums"))
   {
     UploadTable(this->Extinctions->GetContext(), this->ExtinctionSums, MaterialTable::Columns,
-      this->SumTexels, 2);
+      this->SumTexels, 4);
     this->SumTexels.clear();
   }
   const auto activate = [&](vtkTextureObject* texture, const char* name)
