@@ -299,6 +299,14 @@ LIGHT getFarEnd_INDEX(vec3 l, vec3 inverse)
   vec3 x = segmentEnd;
   vec3 p = endInTexture;
 #endif
+  LIGHT outside = getOutside_INDEX(x);
+#ifdef SPANS
+  // In a shadow the matter of the slab changes nothing that can be seen.
+  if (!(largestOf(outside) > 1e-4))
+  {
+    return outside;
+  }
+#endif
   vec3 q = mat3(textureFromUnit) * l;
   float lower = -getWay_INDEX(x, p, l, inverse);
   float upper = 0.0;
@@ -320,7 +328,7 @@ LIGHT getFarEnd_INDEX(vec3 l, vec3 inverse)
 #endif
   LIGHT depth = depthBetween(placeAt(x + l * lower, p + q * lower), last, way);
 #endif
-  return getOutside_INDEX(x) * exp(-depth);
+  return outside * exp(-depth);
 }
 
 // Returns the same for the end at which light enters the slab: there is matter before it only if the

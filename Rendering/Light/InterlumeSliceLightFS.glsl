@@ -80,6 +80,10 @@ void main()
   cutToRegions(x, l, lower, upper);
   LIGHT depth = depthBetween(placeAt(x + l * lower, p + q * lower),
     placeAt(x + l * upper, p + q * upper), upper - lower);
+  if (!(largestOf(depth) > 0.0))
+  {
+    discard;
+  }
 #else
   cutToRegions(x, l, lower, upper);
   float middle = 0.5 * (lower + upper);

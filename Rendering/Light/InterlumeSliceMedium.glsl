@@ -413,7 +413,6 @@ LIGHT depthBetween(Place a, Place b, float length)
   return meanExtinction(a, b) * length * PART(mix(a.Texel, b.Texel, middleOf(a, b)));
 }
 
-#ifdef THICK
 #ifdef TRANSMISSION
 float largestOf(vec3 light)
 {
@@ -426,6 +425,7 @@ float largestOf(float light)
 }
 #endif
 
+#ifdef THICK
 // Returns whether extinctions jump on the way: in the middle they are far from the mean of both
 // ends.
 bool jumps(Place a, Place b)

@@ -266,8 +266,10 @@ public:
   /**
    * The number of columns and rows of the buffer of each light. 0, the default: as many as the
    * volume has voxels across, seen from the light, 64 to 2048; layers of voxels that are all within
-   * less than 1/2048 of the buffer do not count. Steep ramps of opacity under oblique light want
-   * two to three times that. Valid: 0, and 16 to 8192, up to what the graphics card can do.
+   * less than 1/2048 of the buffer do not count. For hard shadows on dense matter, up to one and a
+   * half times as many, if the image has the pixels. Steep ramps of opacity under oblique light
+   * want two to three times the number of voxels. Valid: 0, and 16 to 8192, up to what the graphics
+   * card can do.
    */
   void SetLightBufferSize(int size);
   vtkGetMacro(LightBufferSize, int);

@@ -62,6 +62,16 @@ vtkSmartPointer<vtkVolumeProperty> MakeMatter(bool isShaded)
   return property;
 }
 
+enum Kinds
+{
+  PLAIN,
+  /// Half of the light's extinction, in the red channel.
+  COLORED,
+  NEAREST,
+  /// Of half the intensity, from both sides.
+  TWO_LIGHTS
+};
+
 struct Case
 {
   std::string Name;
@@ -76,6 +86,7 @@ struct Case
   /// The bounds of roughness (root mean square) and of the mean's error, in units of 1/255.
   double Roughness;
   double Bias;
+  Kinds Kind = PLAIN;
 };
 
 /// Subtracts the best-fitting polynomial of degree two from a square of pixels.
@@ -155,7 +166,9 @@ void TestPlate(Check& check, const Case& plate)
   const double lit = -plate.Light[2] / vtkMath::Norm(plate.Light.data());
   constexpr double bright = 187.0;
   // The integral of exp(-a - a seen / lit) da over optical depths a is 1 / (1 + seen / lit).
-  const double intensity = bright / 255.0 * (1.0 + seen / lit) / (plate.IsShaded ? lit : 1.0);
+  const double part = plate.Kind == COLORED ? 0.5 : 1.0;
+  const double intensity =
+    bright / 255.0 * (1.0 + part * seen / lit) / (plate.IsShaded ? lit : 1.0);
 
   vtkNew<vtkShadowedSliceMapper> mapper;
   mapper->SetInputData(MakePlate());
@@ -163,6 +176,14 @@ void TestPlate(Check& check, const Case& plate)
   mapper->SetLightBufferSize(plate.BufferSize);
   mapper->SetNumberOfLightSamples(24);
   mapper->AutoAdjustSampleDistancesOff();
+  if (plate.Kind == COLORED)
+  {
+    vtkNew<vtkColorTransferFunction> transmission;
+    transmission->AddRGBPoint(0.0, 1.0 - part, 0.2, 0.8);
+    mapper->SetTransmissionColor(transmission);
+  }
+  mapper->SetLightLookup(plate.Kind == NEAREST ? vtkShadowedSliceSettings::NEAREST_LIGHT
+                                               : vtkShadowedSliceSettings::BILINEAR_LIGHT);
   VolumeStage stage(std::array<int, 2>{ { PIXELS, PIXELS } });
   stage.SetVolume(mapper, MakeMatter(plate.IsShaded));
   vtkNew<vtkCamera> camera;
@@ -173,7 +194,11 @@ void TestPlate(Check& check, const Case& plate)
   camera->SetViewUp(0.0, 1.0, 0.3);
   camera->SetClippingRange(1.0, 1000.0);
   stage.SetCamera(camera);
-  stage.SetLights({ MakeLight(plate, intensity) });
+  Case mirrored = plate;
+  mirrored.Light = { { -plate.Light[0], -plate.Light[1], plate.Light[2] } };
+  const bool isSplit = plate.Kind == TWO_LIGHTS;
+  stage.SetLights({ MakeLight(plate, isSplit ? 0.5 * intensity : intensity),
+    MakeLight(mirrored, isSplit ? 0.5 * intensity : 0.0) });
   const RgbaPicture picture = stage.Capture();
 
   std::vector<double> values;
@@ -212,9 +237,9 @@ int TestShadowedPlate(int, char*[])
   const Double3 down = { { 0.5, 0.1, -0.9 } };
   const Double3 across = { { -0.5, 0.2, -0.9 } };
   const Double3 grazing = { { 0.8, 0.1, -0.5 } };
-  // With the sample in the middle of a slab and interpolated transmittance these were off by 0.55
-  // and 6.7, 0.55 and 6.7, 1.3 and 1.2, 2.1 and 1.1, 2.8 and 1.5, 0.7 and 3.4, 1.3 and 1.2, 1.7
-  // and 3.1, 1.5 and 0.2.
+  // With the sample in the middle of a slab and interpolated transmittance, roughness and bias were
+  // 0.55 and 6.7, 0.55 and 6.7, 1.3 and 1.2, 2.1 and 1.1, 2.8 and 1.5, 0.7 and 3.4, 1.3 and 1.2,
+  // 0.7 and 1.1, 0.3 and 2.7, 1.9 and 1.4, 5.3 and 0.7, 1.7 and 3.1, 1.7 and 3.2, 1.5 and 0.2.
   const std::vector<Case> cases = { { "flat view", flat, { { -0.1, 0.05, -1.0 } }, 192, true, 0.0,
                                       0.2, 1.0 },
     { "flat view, not shaded", flat, { { -0.1, 0.05, -1.0 } }, 192, false, 0.0, 0.2, 1.0 },
@@ -224,7 +249,13 @@ int TestShadowedPlate(int, char*[])
     { "light against the view", { { -0.7, 0.1, -0.3 } }, { { 0.8, 0.1, -0.4 } }, 192, true, 0.0,
       0.4, 0.6 },
     { "round light", steep, across, 192, true, 10.0, 0.4, 0.5 },
-    { "steep view, a texel a voxel", steep, across, 0, true, 0.0, 0.85, 1.1 },
+    { "colored transmission", steep, across, 192, true, 0.0, 0.45, 0.5, COLORED },
+    { "colored transmission, light against the view", { { -0.7, 0.1, -0.3 } },
+      { { 0.8, 0.1, -0.4 } }, 192, true, 0.0, 0.5, 0.7, COLORED },
+    { "two lights", steep, across, 192, true, 0.0, 0.55, 0.3, TWO_LIGHTS },
+    { "nearest texels", steep, across, 192, true, 0.0, 6.0, 1.0, NEAREST },
+    { "automatic buffer", steep, across, 0, true, 0.0, 0.5, 0.5 },
+    { "round light, automatic buffer", steep, across, 0, true, 10.0, 0.85, 1.1 },
     { "steep view, fine texels", steep, across, 768, true, 0.0, 0.32, 0.3 } };
   for (const Case& plate : cases)
   {

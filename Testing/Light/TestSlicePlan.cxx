@@ -585,6 +585,32 @@ void CheckHalves(Check& check)
     "two lights inside: two pictures, of which the first is whole");
 }
 
+void CheckDenseMatter(Check& check)
+{
+  const interlume::UnitSpace space = MakeUnitSpace({ { 101, 201, 3 } }, { { 1.0, 1.0, 50.0 } });
+  const Eye eye = MakeParallel(glm::dvec3(0.0, 0.0, -1.0));
+  interlume::SlicePlan::Settings settings;
+  settings.PictureSize = 1000;
+  // Slabs are 50 thick.
+  const auto getSize = [&](double depth)
+  {
+    const interlume::SlicePlan::Matter matter = { &space, space.Box, 0.0,
+      depth * space.Radius / 50.0 };
+    interlume::SlicePlan plan;
+    plan.Make(eye, { MakeDirectional(glm::dvec3(0.0, 0.0, -1.0)) }, { matter }, settings);
+    return plan.Sweeps[0].Lights[0].BufferSize;
+  };
+  check.Equal(getSize(0.99), 208, "thin matter: a texel a voxel");
+  check.Equal(getSize(1.01), 304, "dense matter: one and a half");
+  settings.PictureSize = 260;
+  check.Equal(getSize(1.01), 256, "no more than a texel a pixel");
+  settings.PictureSize = 100;
+  check.Equal(getSize(1.01), 208, "a small picture: no fewer than a texel a voxel");
+  settings.PictureSize = 1000;
+  settings.BufferSize = 100;
+  check.Equal(getSize(1.01), 100, "dense matter: size as set");
+}
+
 void CheckSettings(Check& check)
 {
   const interlume::UnitSpace space = MakeUnitSpace({ { 101, 201, 3 } }, { { 1.0, 1.0, 50.0 } });
@@ -747,6 +773,7 @@ int TestSlicePlan(int, char*[])
   CheckContinuity(check);
   CheckCounts(check);
   CheckHalves(check);
+  CheckDenseMatter(check);
   CheckSettings(check);
   CheckScreens(check);
   CheckEyeWithoutPosition(check);

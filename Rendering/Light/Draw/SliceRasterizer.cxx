@@ -340,10 +340,10 @@ std::string SliceRasterizer::PrepareParts(vtkOpenGLRenderWindow* window, const S
   for (const std::unique_ptr<SlicePart>& part : this->Parts)
   {
     const SliceFrame& own = part->GetFrame();
-    // The depth of a slab above which few slabs hide what is behind.
-    constexpr double dense = 1.0;
-    this->IsDense =
-      this->IsDense || (!own.Matter && SliceShader::GetLargestDepth(own, sweepIndex) > dense);
+    this->IsDense = this->IsDense ||
+      (!own.Matter &&
+        SliceShader::GetLargestExtinction(own) * frame.Plan.Sweeps[sweepIndex].Spacing >
+          SlicePlan::DenseDepth);
     matter.push_back({ &own.Space, own.Region.Box, 0.0 });
     this->HasThickPart = this->HasThickPart || SliceShader::HasThickPart(own, sweepIndex);
     // Depths of a slab's middle behind the far plane would not pass the test.

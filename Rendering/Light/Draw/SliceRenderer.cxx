@@ -5,6 +5,7 @@
 #include "Draw/LightBufferImage.h"
 #include "Draw/PicturePlan.h"
 #include "Draw/SliceRasterizer.h"
+#include "Draw/SliceShader.h"
 #include "Draw/SliceTextures.h"
 #include "Lights/LightSources.h"
 #include "Loader/OpenGLFunctions.h"
@@ -371,7 +372,8 @@ std::string SliceRenderer::UpdateScattering(vtkRenderer* renderer, const Request
 SlicePlan::Matter SliceRenderer::GetMatter(const Request& request) const
 {
   return { &this->Frame.Space, this->Frame.Region.Box,
-    request.Settings.SliceSpacing / this->Frame.Space.Radius };
+    request.Settings.SliceSpacing / this->Frame.Space.Radius,
+    this->Frame.Material.HasSharpOpacity() ? 0.0 : SliceShader::GetRampExtinction(this->Frame) };
 }
 
 std::string SliceRenderer::Update(vtkRenderer* renderer, vtkVolume* volume, const Request& request,

@@ -31,10 +31,6 @@ namespace
 // The optical depth of a slab from which on it counts as thick: thinner ones show no steps.
 constexpr double LeastDepth = 0.15;
 
-// The optical depth of a slab from which on the surfaces of matter are ramps as narrow as the texels of
-// light buffers. In thinner matter interpolation along a ramp would move edges of faint shadows.
-constexpr double RampDepth = 1.0;
-
 // The share of samples with matter up to which software OpenGL draws what is empty first. A sphere
 // that fills two thirds of its blocks takes as long either way.
 constexpr double MostForEmptyPart = 0.5;
@@ -96,8 +92,8 @@ bool HasTransmission(const SliceFrame& frame)
 // slab, instead of taken from its middle.
 bool HasSpans(const SliceFrame& frame, bool isThick)
 {
-  return !isThick && frame.HasShadows() && !frame.Matter &&
-    frame.Material.GradientOpacity.empty() && SliceShader::GetLargestDepth(frame, 0) > RampDepth;
+  return !isThick && frame.HasShadows() &&
+    SliceShader::GetRampExtinction(frame) * frame.Plan.Sweeps[0].Spacing > SlicePlan::DenseDepth;
 }
 
 std::string GetTransmissionFeatures(const SliceFrame& frame)
@@ -422,7 +418,7 @@ std::vector<int> SliceShader::GetLightsOf(const SliceFrame& frame, std::size_t s
   return lights;
 }
 
-double SliceShader::GetLargestDepth(const SliceFrame& frame, std::size_t sweep)
+double SliceShader::GetLargestExtinction(const SliceFrame& frame)
 {
   const MaterialTable& material = frame.Material;
   double extinction = 0.0;
@@ -431,14 +427,21 @@ double SliceShader::GetLargestDepth(const SliceFrame& frame, std::size_t sweep)
     const std::array<double, 2>& range = material.OpacityRange[row];
     extinction += material.GetLargestExtinction(row, range[0], range[1]);
   }
-  return extinction * frame.Plan.Sweeps[sweep].Spacing * frame.Space.Radius;
+  return extinction * frame.Space.Radius;
+}
+
+double SliceShader::GetRampExtinction(const SliceFrame& frame)
+{
+  const bool isRamp = !frame.Matter && frame.Material.GradientOpacity.empty();
+  return isRamp ? GetLargestExtinction(frame) : 0.0;
 }
 
 bool SliceShader::HasThickPart(const SliceFrame& frame, std::size_t sweep)
 {
   const SlicePlan::Sweep& planned = frame.Plan.Sweeps[sweep];
   // On a ramp that is steep some slabs would see a jump and others none, which shows as stripes.
-  return frame.Material.HasSharpOpacity() && GetLargestDepth(frame, sweep) > LeastDepth &&
+  return frame.Material.HasSharpOpacity() &&
+    GetLargestExtinction(frame) * planned.Spacing > LeastDepth &&
     std::any_of(planned.Lights.begin(), planned.Lights.end(),
       [](const ShadowedLight& light) { return !light.IsWide; });
 }

@@ -29,8 +29,10 @@ public:
     EMPTY,
     THICK
   };
-  /// Returns the largest optical depth of a slab of a sweep along its normal.
-  static double GetLargestDepth(const SliceFrame& frame, std::size_t sweep);
+  /// Returns the largest extinction of a volume in unit space.
+  static double GetLargestExtinction(const SliceFrame& frame);
+  /// Returns the same, or 0 if opacity does not depend on values only.
+  static double GetRampExtinction(const SliceFrame& frame);
   /// Returns whether thick matter is drawn by itself in a sweep: where there is some, and a light
   /// seen through a plane casts shadows in it.
   static bool HasThickPart(const SliceFrame& frame, std::size_t sweep);

@@ -266,7 +266,7 @@ bool LightFit::Soften(
   {
     const double texels = 0.5 * this->Settings.PictureSize / light.BufferSize;
     this->FitPlane(
-      source, soft, std::min(std::max(texels, 1.0), LayerFineness), SmallestWithLayers);
+      source, soft, std::min(std::max(texels, 1.0), LargestFineness), SmallestWithLayers);
   }
   const std::vector<EmitterSamples::Sample> samples = EmitterSamples::Make(source, count);
   for (const EmitterSamples::Sample& sample : samples)
@@ -303,6 +303,16 @@ bool LightFit::Soften(
   soft.Center = source.GetHomogeneous();
   light = soft;
   return true;
+}
+
+void LightFit::Refine(const LightSource& source, SlicePlan::ShadowedLight& light) const
+{
+  const double texels = double(this->Settings.PictureSize) / light.BufferSize;
+  const double fineness = std::min(texels, LargestFineness);
+  if (fineness > 1.0)
+  {
+    this->FitPlane(source, light, fineness, SmallestAutomatic);
+  }
 }
 
 void LightFit::FitHalfSpace(

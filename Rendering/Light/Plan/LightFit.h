@@ -30,8 +30,9 @@ public:
   /// sees no difference.
   static constexpr double FarDistance = 1e8;
   /// The most texels to a voxel of the automatic buffer of a light with layers, where the picture
-  /// has two pixels to a texel. Other lights have one.
-  static constexpr double LayerFineness = 1.5;
+  /// has two pixels to a texel, and of a light on dense matter, where it has one. Other lights have
+  /// one texel.
+  static constexpr double LargestFineness = 1.5;
 
   LightFit(const BoxCorners& corners, const std::vector<SlicePlan::Matter>& matter,
     const SlicePlan::Settings& settings);
@@ -42,6 +43,9 @@ public:
   /// from some of the emitter.
   bool Soften(
     const LightSource& source, const glm::dvec3& normal, SlicePlan::ShadowedLight& light) const;
+  /// Refines an automatic buffer that FitPlane was called for, for surfaces that are ramps as
+  /// narrow as its texels.
+  void Refine(const LightSource& source, SlicePlan::ShadowedLight& light) const;
   void FitHalfSpace(
     const glm::dvec3& normal, const glm::dvec3& position, SlicePlan::ShadowedLight& light) const;
 

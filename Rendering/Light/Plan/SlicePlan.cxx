@@ -9,6 +9,7 @@
 #include "Space/UnitSpace.h"
 #include "Space/UnitVector.h"
 
+#include <algorithm>
 #include <iterator>
 #include <limits>
 
@@ -185,6 +186,25 @@ void SetSlabs(SlicePlan::Sweep& sweep, const std::array<double, 2>& range,
   sweep.Spacing = extent / sweep.Slabs;
 }
 
+// Refines the buffers of the hard lights of a sweep in which a slab of some volume is dense.
+void RefineLights(SlicePlan::Sweep& sweep, const std::vector<LightSource>& lights,
+  const std::vector<SlicePlan::Matter>& matter, const LightFit& fit)
+{
+  if (std::none_of(matter.begin(), matter.end(),
+        [&sweep](const SlicePlan::Matter& volume)
+        { return volume.RampExtinction * sweep.Spacing > SlicePlan::DenseDepth; }))
+  {
+    return;
+  }
+  for (SlicePlan::ShadowedLight& light : sweep.Lights)
+  {
+    if (!light.IsWide && light.SoftMethod == SlicePlan::HARD)
+    {
+      fit.Refine(lights[static_cast<std::size_t>(light.Light)], light);
+    }
+  }
+}
+
 }
 
 void SlicePlan::Make(const Eye& eye, const std::vector<LightSource>& lights, const UnitSpace& space,
@@ -273,6 +293,7 @@ void SlicePlan::Make(const Eye& eye, const std::vector<LightSource>& lights,
       range[0] = std::max(range[0], GetFirstLight(sweep, lights));
     }
     SetSlabs(sweep, range, matter, view.Direction, settings);
+    RefineLights(sweep, lights, matter, fit);
   }
 }
 

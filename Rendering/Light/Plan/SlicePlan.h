@@ -127,6 +127,9 @@ public:
     std::array<std::array<double, 2>, 3> Box{};
     /// The spacing of slices that this volume asks for; 0 stands for that of the settings.
     double Spacing = 0.0;
+    /// The largest extinction in unit space of matter whose surfaces are ramps of opacity;
+    /// otherwise 0.
+    double RampExtinction = 0.0;
   };
 
   struct Settings
@@ -192,6 +195,10 @@ public:
   static constexpr double WideCosine = 0.2;
   /// The least cosine of rays from all of an emitter with the normal.
   static constexpr double SampleCosine = 0.1;
+  /// The optical depth of a slab from which on the surfaces of matter are ramps as narrow as the
+  /// texels of light buffers. In thinner matter interpolation along a ramp would move edges of
+  /// faint shadows.
+  static constexpr double DenseDepth = 1.0;
 
   /// Distance of slices that is one voxel along \a normal: the length within a voxel of a line
   /// along it, 1 / sqrt(sum (n_i / voxel_i)^2) in the volume's own axes.
