@@ -69,7 +69,9 @@ enum Kinds
   COLORED,
   NEAREST,
   /// Of half the intensity, from both sides.
-  TWO_LIGHTS
+  TWO_LIGHTS,
+  /// Within the ramp, by a plane along the plate: matter begins at once there.
+  CROPPED
 };
 
 struct Case
@@ -182,6 +184,13 @@ void TestPlate(Check& check, const Case& plate)
     transmission->AddRGBPoint(0.0, 1.0 - part, 0.2, 0.8);
     mapper->SetTransmissionColor(transmission);
   }
+  if (plate.Kind == CROPPED)
+  {
+    mapper->CroppingOn();
+    // All but a corner that the picture does not show, since a box is no cropping to the mapper.
+    mapper->SetCroppingRegionPlanes(-40.0, 40.0, -40.0, 40.0, -LAYERS, 0.3);
+    mapper->SetCroppingRegionFlags(0x7ffff);
+  }
   mapper->SetLightLookup(plate.Kind == NEAREST ? vtkShadowedSliceSettings::NEAREST_LIGHT
                                                : vtkShadowedSliceSettings::BILINEAR_LIGHT);
   VolumeStage stage(std::array<int, 2>{ { PIXELS, PIXELS } });
@@ -239,7 +248,8 @@ int TestShadowedPlate(int, char*[])
   const Double3 grazing = { { 0.8, 0.1, -0.5 } };
   // With the sample in the middle of a slab and interpolated transmittance, roughness and bias were
   // 0.55 and 6.7, 0.55 and 6.7, 1.3 and 1.2, 2.1 and 1.1, 2.8 and 1.5, 0.7 and 3.4, 1.3 and 1.2,
-  // 0.7 and 1.1, 0.3 and 2.7, 1.9 and 1.4, 5.3 and 0.7, 1.7 and 3.1, 1.7 and 3.2, 1.5 and 0.2.
+  // 0.7 and 1.1, 0.3 and 2.7, 1.9 and 1.4, 1.9 and 1.6, 5.2 and 11.8, 5.3 and 0.7, 1.7 and 3.1, 1.7
+  // and 3.2, 1.5 and 0.2.
   const std::vector<Case> cases = { { "flat view", flat, { { -0.1, 0.05, -1.0 } }, 192, true, 0.0,
                                       0.2, 1.0 },
     { "flat view, not shaded", flat, { { -0.1, 0.05, -1.0 } }, 192, false, 0.0, 0.2, 1.0 },
@@ -253,6 +263,9 @@ int TestShadowedPlate(int, char*[])
     { "colored transmission, light against the view", { { -0.7, 0.1, -0.3 } },
       { { 0.8, 0.1, -0.4 } }, 192, true, 0.0, 0.5, 0.7, COLORED },
     { "two lights", steep, across, 192, true, 0.0, 0.55, 0.3, TWO_LIGHTS },
+    { "cropped", steep, across, 192, true, 0.0, 2.2, 1.2, CROPPED },
+    { "cropped, light against the view", { { -0.7, 0.1, -0.3 } }, { { 0.8, 0.1, -0.4 } }, 192, true,
+      0.0, 2.2, 4.5, CROPPED },
     { "nearest texels", steep, across, 192, true, 0.0, 6.0, 1.0, NEAREST },
     { "automatic buffer", steep, across, 0, true, 0.0, 0.5, 0.5 },
     { "round light, automatic buffer", steep, across, 0, true, 10.0, 0.85, 1.1 },
