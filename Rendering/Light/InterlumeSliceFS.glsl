@@ -236,8 +236,7 @@ void main()
     discard;
   }
 #ifdef SPANS
-  startPlace = placeAt(place + sightline * lower, p + q * lower);
-  endPlace = placeAt(place + sightline * upper, p + q * upper);
+  spanOf(p, q, lower, upper, startPlace, endPlace);
   vec4 parts = vec4(0.0);
 #if ROWS == 1
   parts.x = meanExtinctions(startPlace, endPlace);

@@ -78,8 +78,10 @@ void main()
   }
 #elif defined(SPANS)
   cutToRegions(x, l, lower, upper);
-  LIGHT depth = depthBetween(placeAt(x + l * lower, p + q * lower),
-    placeAt(x + l * upper, p + q * upper), upper - lower);
+  Place start;
+  Place end;
+  spanOf(p, q, lower, upper, start, end);
+  LIGHT depth = depthBetween(start, end, upper - lower);
   if (!(largestOf(depth) > 0.0))
   {
     discard;

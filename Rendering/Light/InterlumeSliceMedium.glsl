@@ -342,6 +342,16 @@ float extinctionOf(Place place)
 #endif
 }
 
+Place placeOfTexel(vec4 texel, float share)
+{
+  vec4 columns = (texel - columnOrigin) * columnScale;
+#if ROWS == 1
+  return placeOf(columns.OPACITY_OF, share, texel);
+#else
+  return placeOf(columns, share, texel);
+#endif
+}
+
 // Finds the place x, which is p in the texture. Opacity by gradients is part of the share, and so is
 // cropping, but of spans, which are cut before.
 Place placeAt(vec3 x, vec3 p)
@@ -351,12 +361,7 @@ Place placeAt(vec3 x, vec3 p)
 #if defined(CROPPING) && !defined(SPANS)
   share = isCropped(x) ? 0.0 : share;
 #endif
-  vec4 columns = (texel - columnOrigin) * columnScale;
-#if ROWS == 1
-  Place place = placeOf(columns.OPACITY_OF, share * worldLength, texel);
-#else
-  Place place = placeOf(columns, share * worldLength, texel);
-#endif
+  Place place = placeOfTexel(texel, share * worldLength);
 #ifdef GRADIENT_OPACITY
   float whole = extinctionOf(place);
   vec4 parts;
@@ -370,6 +375,24 @@ Place placeBetween(Place a, Place b, float part)
 {
   return placeOf(mix(a.Columns, b.Columns, part), mix(a.Share, b.Share, part), a.Texel);
 }
+
+#ifdef SPANS
+// Finds the matter at both ends of a way, of which p + q t is the place in the texture: on the line
+// through the values at the points of Gauss's formula for two points, which is nearest to what they
+// are on the way.
+void spanOf(vec3 p, vec3 q, float lower, float upper, out Place start, out Place end)
+{
+  const float inset = 0.21132487;
+  const float beyond = 0.36602540;
+  float firstShare;
+  float lastShare;
+  vec4 first = texelAt(p + q * mix(lower, upper, inset), firstShare);
+  vec4 last = texelAt(p + q * mix(upper, lower, inset), lastShare);
+  float share = 0.5 * (firstShare + lastShare) * worldLength;
+  start = placeOfTexel(mix(first, last, -beyond), share);
+  end = placeOfTexel(mix(last, first, -beyond), share);
+}
+#endif
 
 // Returns the mean extinctions of the rows on the way from one place to another.
 VALUES meanExtinctions(Place a, Place b)

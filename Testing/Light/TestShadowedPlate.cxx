@@ -251,15 +251,15 @@ int TestShadowedPlate(int, char*[])
   // 0.7 and 1.1, 0.3 and 2.7, 1.9 and 1.4, 1.9 and 1.6, 5.2 and 11.8, 5.3 and 0.7, 1.7 and 3.1, 1.7
   // and 3.2, 1.5 and 0.2.
   const std::vector<Case> cases = { { "flat view", flat, { { -0.1, 0.05, -1.0 } }, 192, true, 0.0,
-                                      0.2, 1.0 },
-    { "flat view, not shaded", flat, { { -0.1, 0.05, -1.0 } }, 192, false, 0.0, 0.2, 1.0 },
-    { "steep view", steep, across, 192, true, 0.0, 0.4, 0.5 },
+                                      0.2, 0.5 },
+    { "flat view, not shaded", flat, { { -0.1, 0.05, -1.0 } }, 192, false, 0.0, 0.2, 0.5 },
+    { "steep view", steep, across, 192, true, 0.0, 0.6, 0.5 },
     { "light beside the view", down, { { 0.6, -0.2, -0.7 } }, 192, true, 0.0, 0.65, 0.8 },
-    { "grazing light", down, grazing, 192, true, 0.0, 0.55, 0.6 },
+    { "grazing light", down, grazing, 192, true, 0.0, 0.45, 0.3 },
     { "light against the view", { { -0.7, 0.1, -0.3 } }, { { 0.8, 0.1, -0.4 } }, 192, true, 0.0,
       0.4, 0.6 },
-    { "round light", steep, across, 192, true, 10.0, 0.4, 0.5 },
-    { "colored transmission", steep, across, 192, true, 0.0, 0.45, 0.5, COLORED },
+    { "round light", steep, across, 192, true, 10.0, 0.6, 0.5 },
+    { "colored transmission", steep, across, 192, true, 0.0, 0.55, 0.5, COLORED },
     { "colored transmission, light against the view", { { -0.7, 0.1, -0.3 } },
       { { 0.8, 0.1, -0.4 } }, 192, true, 0.0, 0.5, 0.7, COLORED },
     { "two lights", steep, across, 192, true, 0.0, 0.55, 0.3, TWO_LIGHTS },
@@ -267,9 +267,9 @@ int TestShadowedPlate(int, char*[])
     { "cropped, light against the view", { { -0.7, 0.1, -0.3 } }, { { 0.8, 0.1, -0.4 } }, 192, true,
       0.0, 2.2, 4.5, CROPPED },
     { "nearest texels", steep, across, 192, true, 0.0, 6.0, 1.0, NEAREST },
-    { "automatic buffer", steep, across, 0, true, 0.0, 0.5, 0.5 },
-    { "round light, automatic buffer", steep, across, 0, true, 10.0, 0.85, 1.1 },
-    { "steep view, fine texels", steep, across, 768, true, 0.0, 0.32, 0.3 } };
+    { "automatic buffer", steep, across, 0, true, 0.0, 0.7, 0.5 },
+    { "round light, automatic buffer", steep, across, 0, true, 10.0, 0.9, 1.1 },
+    { "steep view, fine texels", steep, across, 768, true, 0.0, 0.4, 0.3 } };
   for (const Case& plate : cases)
   {
     TestPlate(check, plate);
