@@ -15,9 +15,10 @@ class vtkVolumeProperty;
  * @brief   coarse extinction of the pieces of a volume that other processes have
  *
  * The grid's cells fill the bounds of all pieces together, in coordinates along the axes of the
- * images, which have one direction matrix. Each process adds the extinction of its own samples, each as wide as a voxel within the piece; the sum
- * over all processes less the own is what is outside of the own piece (LDAV 2023: a coarse global
- * attenuation instead of an exchange of light in its order).
+ * images, which have one direction matrix. Each process adds the extinction of its own samples,
+ * each as wide as a voxel within the piece; the sum over all processes less the own is what is
+ * outside of the own piece (LDAV 2023: a coarse global attenuation instead of an exchange of light
+ * in its order).
  */
 class vtkMatterGrid
 {
