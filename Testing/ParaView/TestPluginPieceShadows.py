@@ -17,8 +17,8 @@ LIGHTS = {"parallel": ("Directional", [3.0, 10.0, 6.0]), "point": ("Positional",
           "turned": ("Directional", [3.0, 10.0, 6.0])}
 # A quarter turn about z and a reflection, of an image that is not as long along x as along y.
 TURN = """
-image = self.GetImageDataOutput()
-image.ShallowCopy(self.GetImageDataInput(0))
+image = self.GetOutputDataObject(0)
+image.ShallowCopy(self.GetInputDataObject(0, 0))
 image.SetSpacing(0.6, 1.0, 1.0)
 image.SetOrigin(2.0, -1.0, 0.0)
 image.SetDirectionMatrix(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, -1.0)
