@@ -96,6 +96,22 @@ void TestRefined(Check& check, int path, bool parallel, vtkVolumeProperty* prope
     "difference of the picture of a finer mesh", 1.0);
 }
 
+/// A peak of opacity is seen wherever it is, however narrow.
+void TestNarrowPeak(Check& check, int path)
+{
+  const Point3 white = { { 1.0, 1.0, 1.0 } };
+  const double half = 1e-4;
+  for (const double place : { 0.2, 0.5, 0.8 })
+  {
+    const PictureCase what = MakeCase(MakeCube(4),
+      MakeProperty({ { 0.0, white, 0.0 }, { place - half, white, 0.0 },
+        { place, white, 2.0 / half }, { place + half, white, 0.0 }, { 1.0, white, 0.0 } }),
+      Slanted, true);
+    check.That(LargestAlpha(DrawByPath(path, what)) > 0.5,
+      "a narrow peak at " + std::to_string(place) + " is seen");
+  }
+}
+
 }
 
 int TestTetrahedraMapperSlab(int, char*[])
@@ -112,6 +128,8 @@ int TestTetrahedraMapperSlab(int, char*[])
       TestUniform(check, path, MakeCube(4), extinction, 95);
       TestUniform(check, path, MakeBox({ { 2, 4, 3 } }), extinction, 95);
     }
+    check.SetContext(GetPathName(path));
+    TestNarrowPeak(check, path);
     for (bool parallel : { true, false })
     {
       check.SetContext(GetPathName(path) + (parallel ? ", parallel" : ", perspective"));
