@@ -94,7 +94,7 @@ std::vector<std::vector<vtkMatterGrid::Share>> vtkMatterGrid::FindShares(
   const double step = piece.Image->GetSpacing()[axis];
   const double spacing = std::abs(step);
   const std::array<double, 6> box = GetBounds(piece.Image);
-  const double* bounds = box.data() + 2 * axis;
+  const double* bounds = &box[2 * axis];
   const double lower = this->Bounds[2 * axis];
   std::vector<std::vector<Share>> shares(std::max(samples, 0));
   for (int i = 0; i < samples; ++i)
@@ -168,10 +168,14 @@ void vtkMatterGrid::Gather(
 {
   double lower[3] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
   double upper[3] = { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
-  for (int axis = 0; piece.Image && axis < 3; ++axis)
+  if (piece.Image)
   {
-    lower[axis] = GetBounds(piece.Image)[2 * axis];
-    upper[axis] = GetBounds(piece.Image)[2 * axis + 1];
+    const std::array<double, 6> bounds = GetBounds(piece.Image);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      lower[axis] = bounds[2 * axis];
+      upper[axis] = bounds[2 * axis + 1];
+    }
   }
   double least[3];
   double most[3];

@@ -88,8 +88,8 @@ bool HasTransmission(const SliceFrame& frame)
   return frame.GetLightChannels() > 1 && frame.HasShadows();
 }
 
-// Returns whether extinctions are integrated between samples at the ends of a ray's way through a
-// slab, instead of taken from its middle.
+// Returns whether extinctions are integrated over a ray's way through a slab, between two samples,
+// instead of taken from its middle.
 bool HasSpans(const SliceFrame& frame, bool isThick)
 {
   return !isThick && frame.HasShadows() &&

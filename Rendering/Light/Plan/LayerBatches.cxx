@@ -19,9 +19,9 @@ constexpr double Border = 4.0;
 // The most slabs of a batch, whose own matter casts the shadows of a light without extent in it.
 constexpr int LongestBatch = 64;
 
-// How far shadows of the emitter's edge and of its centre may go apart within a batch, in texels of
-// the light's buffer; small lights spread what they have over a number of batches, as far as that
-// is not much below what layers can show.
+// How far the shadows of the emitter's edge and of its center may diverge within a batch, in texels
+// of the light's buffer. Small lights diverge little in all of the volume: they have at least so
+// many batches, unless a batch would be finer than layers resolve.
 constexpr double LargestApart = 2.0;
 constexpr double LeastApart = 0.25;
 constexpr double LeastBatches = 20.0;

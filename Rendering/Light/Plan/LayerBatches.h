@@ -16,15 +16,15 @@ class SlicePolygons;
  * @class   LayerBatches
  * @brief   the slabs whose matter goes into an area light's layers together, and where it is
  *
- * A batch begins at a slab with matter and ends where shadows of the emitter's edge and of its
- * centre may have gone apart by two texels of the light's buffer, or by a twentieth of what they do
- * in all of the volume. All its matter counts as in its middle plane, so that shadows are off by
- * half of that: small lights, with penumbras of a few texels, would have them off by much of their
- * width with the first bound alone, which costs twenty batches at most. Its tiles are the squares of
- * about TileSize texels of the light's buffer that a slice of the batch, with a border for
- * interpolation, lies in; neighbours in a row are one rectangle. Nothing but them meets matter or
- * has matter that asks for light. The last batch has the whole buffer, so that it is known
- * everywhere in the end.
+ * A batch begins at a slab with matter. It ends where the shadows of the emitter's edge and of its
+ * center have diverged by two texels of the light's buffer, or by a twentieth of their divergence
+ * over the whole volume. All matter of a batch is treated as if it were in the batch's middle
+ * plane, which shifts shadows by up to half that divergence. With the first bound alone, this would
+ * be a large part of the width of a small light's penumbras. The second costs at most twenty
+ * batches. Its tiles are the squares of about TileSize texels of the light's buffer that a slice of
+ * the batch, with a border for interpolation, lies in; neighbors in a row are one rectangle.
+ * Nothing but them meets matter or has matter that asks for light. The last batch has the whole
+ * buffer, so that it is known everywhere in the end.
  */
 class LayerBatches
 {
