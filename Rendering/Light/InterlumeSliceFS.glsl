@@ -61,9 +61,10 @@ float opacity = 0.0;
 bool isFront = false;
 #endif
 #ifdef SPANS
-// The matter at the ends of the segment.
-Place startPlace;
-Place endPlace;
+// The matter at the ends of the segment. Mesa warns of globals without a value.
+const Place noMatter = Place(VALUES(0.0), VALUES(0.0), VALUES(0.0), 0.0, vec4(0.0));
+Place startPlace = noMatter;
+Place endPlace = noMatter;
 #endif
 
 vec3 colorAt(vec4 texel, int row)

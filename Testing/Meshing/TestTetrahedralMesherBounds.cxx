@@ -175,7 +175,10 @@ void CheckRough(Check& check)
 void CheckScales(Check& check)
 {
   const auto surface = MakeRoughSphere(0.2);
+  // The surface has angles that forbid the quality bound with some versions of TetGen.
+  vtkNew<vtkTest::ErrorObserver> observer;
   vtkNew<vtkTetrahedralMesher> mesher;
+  mesher->AddObserver(vtkCommand::WarningEvent, observer);
   const auto mesh = [&](double scale)
   {
     vtkNew<vtkPoints> points;
@@ -199,7 +202,7 @@ void CheckScales(Check& check)
     return output;
   };
   const auto one = mesh(1.0);
-  check.That(one->GetNumberOfCells() > 5000, "a mesh of size 1");
+  check.That(one->GetNumberOfCells() >= EnclosedVolume(surface) / 4e-3, "a mesh of size 1");
   for (double scale : { std::ldexp(1.0, -300), std::ldexp(1.0, 300), 1e-6, 1e6 })
   {
     check.SetContext("scale " + std::to_string(std::log10(scale)));
