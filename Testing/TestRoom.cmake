@@ -44,15 +44,15 @@ function (interlume_add_test_room room)
   target_include_directories(${program} PRIVATE "${PROJECT_SOURCE_DIR}/Filters")
   if (arg_PRIVATE_PARTS)
     list(TRANSFORM arg_PRIVATE_PARTS APPEND Private)
-    list(APPEND arg_PRIVATE_PARTS InterlumeInternalReference)
+    list(APPEND arg_PRIVATE_PARTS InterlumeInternalSupport)
   endif ()
   target_link_libraries(${program} PRIVATE
-    ${arg_LIBRARIES} ${arg_PRIVATE_PARTS} InterlumeInputs InterlumeReference VTK::CommonSystem VTK::FiltersCore
-    VTK::FiltersGeneral VTK::FiltersSources VTK::ImagingCore VTK::IOXML VTK::TestingCore)
+    ${arg_LIBRARIES} ${arg_PRIVATE_PARTS} InterlumeTestSupport VTK::CommonSystem
+    VTK::FiltersCore VTK::FiltersGeneral VTK::FiltersSources VTK::ImagingCore VTK::IOXML VTK::TestingCore)
   if (drawn)
     # OpenGL: one of the loaders, see OpenGLFunctions.h.
     target_link_libraries(${program} PRIVATE
-      InterlumePages InterlumePictures Interlume::InterlumeScene VTK::RenderingCore
+      InterlumePictureSupport Interlume::InterlumeScene VTK::RenderingCore
       VTK::RenderingOpenGL2 VTK::RenderingVolume VTK::RenderingVolumeOpenGL2
       "$<$<TARGET_EXISTS:VTK::glad>:VTK::glad>"
       "$<$<TARGET_EXISTS:VTK::glew>:VTK::glew;VTK::opengl>")

@@ -2,7 +2,7 @@
 // Claims of a suite: which rows they concern, whether they are met, and how rows are named; of rows
 // that were written and read too, also where what was measured is no number.
 #include "Benchmarks/Results/BenchClaim.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Conditions of runs that are put together: each keeps its command, date and load.
 #include "Benchmarks/Results/BenchMachine.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 namespace
 {

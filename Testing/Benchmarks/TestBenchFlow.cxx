@@ -8,9 +8,9 @@
 #include "Benchmarks/Flow/TrilinearFlow.h"
 #include "Benchmarks/Measures/TetrahedronSums.h"
 
-#include "Flows/ReferenceFlow.h"
-#include "Flows/ReferenceFlowMaps.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/AnalyticFlows/ReferenceFlow.h"
+#include "Support/AnalyticFlows/ReferenceFlowMaps.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkImageData.h"

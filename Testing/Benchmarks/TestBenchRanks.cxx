@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What runs of several numbers of processes are put together to, on rows that are made up.
 #include "Benchmarks/Ranks/RankRows.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include <string>
 #include <vector>

@@ -12,7 +12,7 @@
 #include "Benchmarks/SpaceTime/RegionError.h"
 #include "Benchmarks/Tetrahedra/FieldPicture.h"
 #include "Benchmarks/Tetrahedra/TetrahedraScene.h"
-#include "Pictures/ReferenceVolumePicture.h"
+#include "Support/Pictures/ReferenceVolumePicture.h"
 
 #include "vtkIntervalVolume.h"
 

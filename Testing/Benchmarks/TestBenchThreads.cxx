@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is timed with one thread has one, and with two two, whatever came before.
 #include "Benchmarks/Measures/BenchTiming.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceThreads.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceThreads.h"
 
 #include "vtkSMPTools.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The example that paints on an inflow, driven by events as vtkInteractorEventRecorder has them:
 // the pixels of the file against the brush's formula, the view of the flow, what was sent for it.
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "PainterWindow.h"
 

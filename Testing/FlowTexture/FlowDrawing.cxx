@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FlowDrawing.h"
 
-#include "Pictures/VolumeStage.h"
+#include "Support/Pictures/VolumeStage.h"
 
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"

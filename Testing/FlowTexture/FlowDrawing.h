@@ -2,7 +2,7 @@
 #ifndef FlowDrawing_h
 #define FlowDrawing_h
 
-#include "Pictures/FlowPictures.h"
+#include "Support/Pictures/FlowPictures.h"
 
 class vtkImplicitFlowVolumeMapper;
 class vtkVolumeProperty;

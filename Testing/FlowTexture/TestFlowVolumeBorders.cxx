@@ -3,8 +3,8 @@
 // round to, and where paint is small: nothing is mixed, and letters stay legible.
 #include "FlowDrawing.h"
 
-#include "Pictures/PictureSettings.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCamera.h"
 #include "vtkDataArray.h"

@@ -3,10 +3,10 @@
 // off, and that a picture after many changes is that of a mapper made anew.
 #include "FlowDrawing.h"
 
-#include "Pictures/PictureSettings.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceRandom.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceRandom.h"
 
 #include "vtkCamera.h"
 #include "vtkDataArray.h"

@@ -2,8 +2,8 @@
 // Extremes and bad input of vtkImplicitFlowVolumeMapper, each by its name.
 #include "FlowDrawing.h"
 
-#include "Pages/StabilityCase.h"
-#include "Pictures/PictureSettings.h"
+#include "Support/Pages/StabilityCase.h"
+#include "Support/Pictures/PictureSettings.h"
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
@@ -16,7 +16,7 @@
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
 
-#include "Pictures/VolumeStage.h"
+#include "Support/Pictures/VolumeStage.h"
 
 #include <cmath>
 #include <limits>

@@ -3,8 +3,8 @@
 // formula: an image through uniform flow, a rotation, a strained flow on finer and finer voxels.
 #include "FlowDrawing.h"
 
-#include "Pictures/PictureSettings.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"

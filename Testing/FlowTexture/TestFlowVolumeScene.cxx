@@ -3,9 +3,9 @@
 // several renderers, selection, and the same flow through vtkFlowVolume.
 #include "FlowDrawing.h"
 
-#include "Pictures/PictureSettings.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

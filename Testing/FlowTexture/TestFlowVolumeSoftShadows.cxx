@@ -3,9 +3,9 @@
 // light without extent, and how even light is on sharp edges of dense paint.
 #include "FlowDrawing.h"
 
-#include "Pictures/PictureSettings.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkAreaLight.h"
 #include "vtkCamera.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkStreamlineTexture: what its levels hold, how many lines are seen at which distance, that they
 // never average, grids, colours, uploads.
-#include "Pages/StabilityCase.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pages/StabilityCase.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkStreamlineTexture.h"
 

@@ -4,7 +4,7 @@
 
 #include "FuzzRandom.h" // for choices
 
-#include "Reference/Checks/ReferenceCheck.h" // for the result
+#include "Support/Checks/ReferenceCheck.h" // for the result
 
 #include <string> // for names
 #include <vector> // for the list

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FuzzRun.h"
 
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceThreads.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceThreads.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCell.h"

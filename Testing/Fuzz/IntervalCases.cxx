@@ -3,7 +3,7 @@
 #include "FuzzData.h"
 #include "FuzzRun.h"
 
-#include "Reference/Meshes/ReferenceVolume.h"
+#include "Support/Meshes/ReferenceVolume.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -3,8 +3,8 @@
 #include "FuzzData.h"
 #include "FuzzRun.h"
 
-#include "Pictures/RgbaPicture.h"
-#include "Pictures/VolumeStage.h"
+#include "Support/Pictures/RgbaPicture.h"
+#include "Support/Pictures/VolumeStage.h"
 
 #include "vtkAreaLight.h"
 #include "vtkCamera.h"

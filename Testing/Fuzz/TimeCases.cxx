@@ -3,8 +3,8 @@
 #include "FuzzData.h"
 #include "FuzzRun.h"
 
-#include "Reference/TimeVarying/ReferenceTemporal.h"
-#include "Reference/TimeVarying/ReferenceTimeSteps.h"
+#include "Support/TimeVarying/ReferenceTemporal.h"
+#include "Support/TimeVarying/ReferenceTimeSteps.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

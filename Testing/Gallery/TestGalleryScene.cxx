@@ -7,7 +7,7 @@
 #include "Gallery/Picture.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Stage.h"
-#include "Pictures/PixelDifference.h"
+#include "Support/Drawing/PixelDifference.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"

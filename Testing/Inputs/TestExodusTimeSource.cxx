@@ -2,9 +2,9 @@
 // The real time-varying set: its steps as the pipeline hands them out, and the time that its fields
 // spend between values, which adjacent intervals share out without gap or overlap.
 
-#include "Inputs/DataFiles.h"
-#include "Inputs/ExodusTimeSource.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Inputs/DataFiles.h"
+#include "Support/Inputs/ExodusTimeSource.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Models of polygons: each part is closed, and its triangles and normals look outwards.
-#include "Inputs/Models.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Inputs/Models.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"

@@ -2,7 +2,9 @@
 # find_breaches(ROOT OUTPUT): lists the lines under ROOT that cross an edge between modules that
 # Documentation/architecture.md does not have, each as "file: line".
 #   - ParaView's headers only in Plugin/
-#   - the programs below Utilities/ know no test
+#   - the programs below Utilities/ include no test, but the directories of Testing/Support that they share with
+#     tests; these include nothing else of Testing/, and no file of Testing/Support includes a test or program
+#   - no module includes tests or programs
 #   - a rendering module knows no module under Filters/; Scene <- Tetrahedra, Light, FlowTexture, which do
 #     not know each other, but that FlowTexture knows what is public of Light
 #   - Isotables knows no pipeline and no dataset; Isotables <- Intervals <- Flow; Sources and Meshing on VTK
@@ -47,8 +49,27 @@ function (find_breaches root output)
   foreach (folder IN ITEMS Filters Rendering Testing Examples Utilities)
     forbid("${root}" ${folder} "${paraview}")
   endforeach ()
-  header_pattern(tests "${root}/Testing")
+  set(shared_support AnalyticFlows Inputs Pages Pictures Transport)
+  file(GLOB test_folders "${root}/Testing/*")
+  list(REMOVE_ITEM test_folders "${root}/Testing/Support")
+  header_pattern(tests ${test_folders})
+  file(GLOB test_support "${root}/Testing/Support/*")
+  foreach (folder IN LISTS shared_support)
+    list(REMOVE_ITEM test_support "${root}/Testing/Support/${folder}")
+  endforeach ()
+  header_pattern(test_support ${test_support})
+  set(programs "(Benchmarks|Gallery)/([A-Za-z]+/)*[A-Za-z0-9]+\\.h")
+  foreach (folder IN LISTS shared_support)
+    forbid("${root}" Testing/Support/${folder} "${test_support}")
+  endforeach ()
+  forbid("${root}" Testing/Support "${programs}")
+  forbid("${root}" Testing/Support "${tests}")
+  forbid("${root}" Utilities "${test_support}")
   forbid("${root}" Utilities "${tests}")
+  foreach (folder IN ITEMS Filters Rendering Plugin)
+    forbid("${root}" ${folder} "Support/[A-Za-z]+/[A-Za-z0-9]+\\.h")
+    forbid("${root}" ${folder} "${programs}")
+  endforeach ()
 
   set(pipeline "vtk[A-Za-z0-9]*(Algorithm|Executive|Information|InformationVector|Pipeline)\\.h")
   set(datasets "vtk[A-Za-z0-9]*(DataSet|DataObject|Grid|ImageData|PolyData)\\.h")

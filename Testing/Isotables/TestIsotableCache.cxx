@@ -2,8 +2,8 @@
 // The table of a cell times time: every cut is the exact pulling triangulation, in ascending order
 // and in any other; counts over whole tables; and what the cache counts.
 
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Intervals/ReferenceIsotable.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Intervals/ReferenceIsotable.h"
 
 #include "vtkIsotable.h"
 #include "vtkIsotableCache.h"

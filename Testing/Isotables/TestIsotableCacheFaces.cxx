@@ -2,7 +2,7 @@
 // Cells that share a three-dimensional face in space and time, whatever their shapes, leave the
 // same tetrahedra on it when their vertices there have the same digits and are ordered alike.
 
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkIsotable.h"
 #include "vtkIsotableCache.h"

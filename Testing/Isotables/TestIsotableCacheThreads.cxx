@@ -2,7 +2,7 @@
 // The same cases, simplex by simplex, however many threads ask and in whichever order; and counts
 // of all threads that add up.
 
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkIsotableCache.h"
 #include "vtkIsotablePolytope.h"

@@ -3,7 +3,7 @@
 // order; what it leaves on a face depends on that face alone; and threads may ask for the same case
 // at once.
 
-#include "Reference/Intervals/ReferenceIsotable.h"
+#include "Support/Intervals/ReferenceIsotable.h"
 
 #include "vtkIsotable.h"
 

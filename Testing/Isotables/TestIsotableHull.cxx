@@ -3,7 +3,7 @@
 // subsets of the points. Coordinates of 0, 1 and 2 give many points on a plane; those up to 128 do
 // not fit in products of normals.
 
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkIsotableHull.h"
 

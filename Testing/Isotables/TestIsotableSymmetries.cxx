@@ -2,7 +2,7 @@
 // The symmetries of a cell: how many there are, that they are a group of affine maps that take
 // edges to edges, and that the cases they take into each other have one origin.
 
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkIsotablePolytope.h"
 #include "vtkIsotableSymmetries.h"

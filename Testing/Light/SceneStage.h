@@ -2,7 +2,7 @@
 #ifndef SceneStage_h
 #define SceneStage_h
 
-#include "Pictures/VolumeStage.h"
+#include "Support/Pictures/VolumeStage.h"
 
 #include "vtkNew.h"
 #include "vtkShadowedScenePass.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Light/ShadowComparison.h"
 
-#include "Pictures/ReferenceShadowPicture.h"
-#include "Pictures/ShadowPicture.h"
+#include "Support/Pictures/ReferenceShadowPicture.h"
+#include "Support/Drawing/ShadowPicture.h"
 
 #include "vtkNew.h"
 #include "vtkShadowedSliceMapper.h"

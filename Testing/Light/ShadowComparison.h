@@ -2,8 +2,8 @@
 #ifndef ShadowComparison_h
 #define ShadowComparison_h
 
-#include "Pictures/RgbaPicture.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/RgbaPicture.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An area light: its values, errors, clones, and where its emitter is in the world.
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkAreaLight.h"
 #include "vtkCallbackCommand.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Extremes of area lights, each by its name: places and sizes of the emitter, values that are no
 // numbers, images that are none.
-#include "Pages/StabilityCase.h"
-#include "Pictures/PictureSettings.h"
-#include "Pictures/ReferenceShadowPicture.h"
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
+#include "Support/Pages/StabilityCase.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/ReferenceShadowPicture.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
 
 #include "vtkAreaLight.h"
 #include "vtkCamera.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Volumes whose picture is coarser than the viewport beside actors: no rims around these, against
 // the picture with a ray for each pixel.
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
 
 #include "vtkActor.h"

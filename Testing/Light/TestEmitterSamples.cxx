@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Samples of an emitter: moments of disc and square, strata, weights, and the light of images.
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkAreaLight.h"
 #include "vtkDataArray.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A spotlight in the cells of a grid of almost transparent matter: cone, fall-off to the cone's
 // edge and attenuation against their formulas.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Light/ReferenceUnitSpace.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Light/ReferenceUnitSpace.h"
 
 #include "Grid/GridLight.h"
 #include "Grid/MatterGrid.h"

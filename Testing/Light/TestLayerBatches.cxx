@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The batches of slabs that go into an area light's layers: their slabs, and tiles that hold every
 // triangle of a batch with its border, once.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Light/ReferenceUnitSpace.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Light/ReferenceUnitSpace.h"
 
 #include "Plan/LayerBatches.h"
 #include "Plan/SlicePolygons.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The tiles of a wide light's buffer against rays at random: where a ray meets a visible block
 // within a slab one tile has its texel, and what sees nothing is left out.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceRandom.h"
-#include "Reference/Checks/ReferenceThreads.h"
-#include "Reference/Light/ReferenceUnitSpace.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceRandom.h"
+#include "Support/Checks/ReferenceThreads.h"
+#include "Support/Light/ReferenceUnitSpace.h"
 
 #include "Plan/LightTiles.h"
 #include "vtkSMPTools.h"

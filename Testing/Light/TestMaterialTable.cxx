@@ -2,7 +2,7 @@
 // Colour, extinction, gradient opacity and transmission of every column, and of all between them,
 // against the functions;
 // largest extinctions against brute force; extremes; wrong properties.
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDoubleArray.h"

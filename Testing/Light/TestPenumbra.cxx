@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The penumbra of a half plane: the exact profile against the published width, and the samples of
 // lights, parallel and tilted, against the exact profile.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Light/ReferencePenumbra.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Light/ReferencePenumbra.h"
 
 #include "vtkAreaLight.h"
 #include "vtkNew.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The tiles of slices against places at random in their planes: what is in a visible block has one
 // tile in the picture, no pixel is in two, and what sees nothing is left out.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceRandom.h"
-#include "Reference/Checks/ReferenceThreads.h"
-#include "Reference/Light/ReferenceUnitSpace.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceRandom.h"
+#include "Support/Checks/ReferenceThreads.h"
+#include "Support/Light/ReferenceUnitSpace.h"
 
 #include "Plan/PlaneTiles.h"
 #include "Space/UnitVector.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A projective light: its values, where its rays pass the screen, and the screen's colours.
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

@@ -2,8 +2,8 @@
 // A sequence of random changes to a scene with vtkShadowedScenePass: lights with an extent or none,
 // actors, smoke, window, settings of pass and mapper; each picture the same as that of a pass,
 // mappers and actors made anew.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceRandom.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceRandom.h"
 #include "SceneStage.h"
 
 #include "vtkActor.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Images of vtkProjectiveLight and vtkAreaLight on actors by vtkShadowedScenePass, pixel by pixel
 // against the colours that the lights say they have.
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
 
 #include "vtkActor.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkShadowedSliceMapper leaves off where the window's abort says so, and leaves no trace of it.
-#include "Pictures/DrawingAborts.h"
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Drawing/DrawingAborts.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"

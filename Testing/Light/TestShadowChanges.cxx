@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A random sequence of changes to one scene of vtkShadowedSliceMapper - lights, buffers, data,
 // opacities, camera, window - each picture the same as that of a scene made anew.
-#include "Pictures/PictureSettings.h"
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceRandom.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceRandom.h"
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"

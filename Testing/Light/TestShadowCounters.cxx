@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What vtkShadowedSliceMapper reports of its work: nothing for shadows that nobody casts, one
 // buffer a light, sweeps by where lights are, nothing drawn of what is empty, nothing sent twice.
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -3,12 +3,12 @@
 // along the ray, whatever the direction matrix of the image is: against marching in double, against
 // other ways to cut the same, and against a smaller image.
 #include "Light/ShadowComparison.h"
-#include "Pictures/PictureSettings.h"
-#include "Pictures/ReferenceRay.h"
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceRandom.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/ReferenceRay.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceRandom.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"

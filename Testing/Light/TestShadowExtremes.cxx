@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Extremes of vtkShadowedSliceMapper, each by its name: places of lights, shapes and sizes of
 // volumes, materials, values that are no numbers, textures and memory.
-#include "Pages/StabilityCase.h"
-#include "Pictures/PictureSettings.h"
-#include "Pictures/ReferenceShadowPicture.h"
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
-#include "Pictures/VolumeStage.h"
+#include "Support/Pages/StabilityCase.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/ReferenceShadowPicture.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Pictures/VolumeStage.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -2,11 +2,11 @@
 // Transfer functions of vtkShadowedSliceMapper that are finer than the range of the data: one voxel
 // far beyond all others, peaks and steps as narrow as a unit of 16 bits, curved functions.
 #include "Light/ShadowComparison.h"
-#include "Pictures/PictureSettings.h"
-#include "Pictures/ReferenceShadowPicture.h"
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/ReferenceShadowPicture.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkImageData.h"

@@ -2,9 +2,9 @@
 // Whole pictures of vtkShadowedSliceMapper against marching in double: kinds of lights, where they
 // are, and several of them. Two boxes, of which one is in the other's shadow for most lights.
 #include "Light/ShadowComparison.h"
-#include "Pictures/PictureSettings.h"
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -2,13 +2,13 @@
 // Whole pictures of vtkShadowedSliceMapper against marching in double: volumes, scalar types and
 // components, materials, what cuts them, cameras and the mapper's own values. A light along
 // (1, -1, -1) shines in all of them.
-#include "Inputs/DataFiles.h"
+#include "Support/Inputs/DataFiles.h"
 #include "Light/ShadowComparison.h"
-#include "Pictures/PictureSettings.h"
-#include "Pictures/ReferenceRay.h"
-#include "Pictures/ReferenceShadowPicture.h"
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/ReferenceRay.h"
+#include "Support/Pictures/ReferenceShadowPicture.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Actors that are kept from casting or from receiving shadows by vtkShadowedScenePass: what they
 // shadow and show, opaque and translucent, beside smoke and as parts of an assembly.
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
 
 #include "vtkActor.h"

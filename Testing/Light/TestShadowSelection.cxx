@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkHardwareSelector finds a volume in slices where a line of sight meets it, and a prop before
 // it.
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -2,11 +2,11 @@
 // Settings of vtkShadowedSliceMapper that no reference has: how much of a surface a gradient makes,
 // and what is given up where time is short.
 #include "Light/ShadowComparison.h"
-#include "Pictures/PictureSettings.h"
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"

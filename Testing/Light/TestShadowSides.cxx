@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A surface of dense matter where light passes the plane across the view, so that slices go from
 // front to back on one side of it and from back to front on the other: the picture is the same.
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
 
 #include "vtkCamera.h"

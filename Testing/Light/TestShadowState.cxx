@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkShadowedSliceMapper in windows: several viewports and windows, targets of bytes and floats,
 // stereo, backgrounds, what is drawn after it, what changes from picture to picture.
-#include "Pictures/PictureSettings.h"
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceRandom.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceRandom.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -2,9 +2,9 @@
 // Sharp surfaces in vtkShadowedSliceMapper against closed forms, at its own settings: an opaque
 // cube, and plates whose opacity jumps between two voxels, under light and view from 0 to 60
 // degrees.
-#include "Pictures/ShadowPicture.h"
-#include "Pictures/SurfaceCases.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Pictures/SurfaceCases.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkNew.h"
 #include "vtkShadowedSliceMapper.h"

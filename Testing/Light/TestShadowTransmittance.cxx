@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The law of Beer and Lambert in vtkShadowedSliceMapper: what its light buffers hold against
 // analytic transmittances, by slice spacing and by the angle between view and light.
-#include "Pictures/PictureSettings.h"
-#include "Pictures/ReferenceMedium.h"
-#include "Pictures/ReferenceShadow.h"
-#include "Pictures/ReferenceShadowPicture.h"
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/ReferenceMedium.h"
+#include "Support/Pictures/ReferenceShadow.h"
+#include "Support/Pictures/ReferenceShadowPicture.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkActor.h"
 #include "vtkAreaLight.h"

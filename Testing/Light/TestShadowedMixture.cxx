@@ -2,7 +2,7 @@
 // Smoke and surfaces under the same lights by vtkShadowedScenePass, against closed forms: what
 // smoke leaves of light on a wall before, in, behind and across it, and the shadow of a plate in
 // smoke.
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
 
 #include "vtkActor.h"

@@ -3,12 +3,12 @@
 // with its exact brightness. The optical depths of light and view have a constant ratio there, so
 // that the brightness does not depend on the ramp. Slices and texels of the light's buffer show no
 // pattern.
-#include "Pictures/PictureSettings.h"
-#include "Pictures/RgbaPicture.h"
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/RgbaPicture.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkAreaLight.h"
 #include "vtkCamera.h"

@@ -2,7 +2,7 @@
 // Shadows that opaque actors cast on each other by vtkShadowedScenePass: edges where they have to
 // be, no specks, VTK's own picture where no shadow falls.
 #include "Common/Vectors.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
 
 #include "vtkActor.h"

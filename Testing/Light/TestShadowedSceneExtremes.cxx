@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Extremes of vtkShadowedScenePass, each by its name: actors without area, turned inside out, open,
 // mirrored, far away, tiny and huge, lamps in and on actors, smoke in a solid, a context remade.
-#include "Pages/StabilityCase.h"
+#include "Support/Pages/StabilityCase.h"
 #include "SceneStage.h"
 
 #include "vtkActor.h"

@@ -2,8 +2,8 @@
 // vtkShadowedScenePass among VTK's other parts: several lights, viewports, samples a pixel, kinds
 // of shading, clipping, selection, other passes, resources given back, actors that cannot take
 // part.
-#include "Pictures/ShadowPicture.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
 
 #include "vtkActor.h"

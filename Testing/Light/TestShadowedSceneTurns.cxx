@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene of smoke and surfaces that eye and light go around in small steps: no picture stands out.
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
 
 #include "vtkActor.h"

@@ -2,10 +2,10 @@
 // Several volumes in one set of slices by vtkShadowedScenePass, which shadow each other and are
 // mixed where they overlap: against integration in double precision.
 #include "Light/ShadowComparison.h"
-#include "Pictures/LightPoints.h"
-#include "Pictures/MixedScene.h"
-#include "Pictures/ReferenceMixedPicture.h"
-#include "Pictures/ShadowCases.h"
+#include "Support/Pictures/LightPoints.h"
+#include "Support/Pictures/MixedScene.h"
+#include "Support/Pictures/ReferenceMixedPicture.h"
+#include "Support/Pictures/ShadowCases.h"
 #include "SceneStage.h"
 #include "VolumePile.h"
 

@@ -2,7 +2,7 @@
 // Extremes of volumes that vtkShadowedScenePass draws together, each by its name: at the same
 // place, touching, empty, transparent, hidden, many, of very different size, with faults, a context
 // remade.
-#include "Pages/StabilityCase.h"
+#include "Support/Pages/StabilityCase.h"
 #include "SceneStage.h"
 
 #include "vtkActor.h"

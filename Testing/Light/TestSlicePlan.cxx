@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which sweeps of slices there are, and what each light's buffer holds: for eyes, lights and boxes
 // at random, against normals tried one by one.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceRandom.h"
-#include "Reference/Light/ReferenceUnitSpace.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceRandom.h"
+#include "Support/Light/ReferenceUnitSpace.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The polygons of slices against the same planes clipped to each block by itself: areas, points
 // that are covered once, ties, and threads.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceExecution.h"
-#include "Reference/Checks/ReferenceRandom.h"
-#include "Reference/Light/ReferenceUnitSpace.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceExecution.h"
+#include "Support/Checks/ReferenceRandom.h"
+#include "Support/Light/ReferenceUnitSpace.h"
 
 #include "Plan/SlicePolygons.h"
 #include "Space/UnitVector.h"

@@ -3,12 +3,12 @@
 // surfaces on smoke, smoke on surfaces far behind, both at once, coloured emitters; and what the
 // report says of lights with an extent and without.
 #include "Light/ShadowComparison.h"
-#include "Pictures/LightPoints.h"
-#include "Pictures/MixedScene.h"
-#include "Pictures/ReferenceMixedPicture.h"
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/LightPoints.h"
+#include "Support/Pictures/MixedScene.h"
+#include "Support/Pictures/ReferenceMixedPicture.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
 
 #include "vtkActor.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A random sequence of changes to area lights and soft shadows, each picture the same as that of a
 // mapper made anew.
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceRandom.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceRandom.h"
 
 #include "vtkAreaLight.h"
 #include "vtkColorTransferFunction.h"

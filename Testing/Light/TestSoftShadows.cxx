@@ -2,12 +2,12 @@
 // Soft shadows of area lights: the penumbra of a half plane against the exact ramp, layers of
 // samples against a light for each sample, and what soft shadows cost where there are none.
 #include "Light/ShadowComparison.h"
-#include "Pictures/HalfPlane.h"
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Light/ReferencePenumbra.h"
+#include "Support/Pictures/HalfPlane.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Light/ReferencePenumbra.h"
 
 #include "vtkAreaLight.h"
 #include "vtkColorTransferFunction.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Soft shadows that surfaces cast by vtkShadowedScenePass: the penumbra of a half plane against its
 // exact profile, under square and round lights, parallel and tilted, near and far.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Light/ReferencePenumbra.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Light/ReferencePenumbra.h"
 #include "SceneStage.h"
 
 #include "vtkActor.h"

@@ -2,9 +2,9 @@
 // Extremes of translucent actors in vtkShadowedScenePass, each by its name: opacities 0 and 1, many
 // panes, panes in one plane, on slices, on walls and behind all, actors without triangles, depth
 // peeling, samples, sizes, volumes out of sight, random changes.
-#include "Pages/StabilityCase.h"
-#include "Pictures/ShadowPicture.h"
-#include "Reference/Checks/ReferenceRandom.h"
+#include "Support/Pages/StabilityCase.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Checks/ReferenceRandom.h"
 #include "SceneStage.h"
 
 #include "vtkActor.h"

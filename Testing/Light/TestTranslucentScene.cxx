@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Translucent surfaces in order with sliced smoke by vtkShadowedScenePass, and the light that they
 // take, against the double-precision reference of mixed scenes.
-#include "Pictures/MixedScene.h"
-#include "Pictures/ReferenceMixedPicture.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/MixedScene.h"
+#include "Support/Pictures/ReferenceMixedPicture.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
 
 #include "vtkActor.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The unit space of images of any place, size and turn, against the image's own points.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceRandom.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceRandom.h"
 
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Blocks with something to see, and blocks around it, are visible; blocks whose values and those
 // between them have no opacity are not; the borders are where the samples are.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceExecution.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceExecution.h"
 
 #include "vtkDataArray.h"
 #include "Volume/MaterialTable.h"

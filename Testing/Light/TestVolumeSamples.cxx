@@ -2,8 +2,8 @@
 // Values of every type and layout come back from their texels within the texel's own rounding;
 // voxels that are not finite are masked and counted; wrong input is named; the same bytes for any
 // number of threads.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceExecution.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceExecution.h"
 
 #include "vtkBitArray.h"
 #include "vtkDataArray.h"

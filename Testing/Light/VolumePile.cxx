@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumePile.h"
 
-#include "Pictures/ShadowPicture.h"
+#include "Support/Drawing/ShadowPicture.h"
 
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"

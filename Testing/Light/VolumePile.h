@@ -2,8 +2,8 @@
 #ifndef VolumePile_h
 #define VolumePile_h
 
-#include "Pictures/MixedScene.h"
-#include "Pictures/VolumeStage.h"
+#include "Support/Pictures/MixedScene.h"
+#include "Support/Pictures/VolumeStage.h"
 
 #include "vtkNew.h"
 #include "vtkShadowedScenePass.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Point arrays at new points: linear functions come out to rounding, values stay within the range
 // of those given, and points of the input keep theirs.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceMeshing.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceMeshing.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

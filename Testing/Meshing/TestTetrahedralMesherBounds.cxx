@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The quality bound and the maximum volume are held, and the boundary is kept when asked.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceMeshing.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceMeshing.h"
 
 #include "vtkCommand.h"
 #include "vtkMath.h"

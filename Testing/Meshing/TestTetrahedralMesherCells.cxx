@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The cells of grids: concave polyhedra with concave faces that are not planar, beside every other
 // cell, become positive tetrahedra that fit together and fill what the cells fill.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Meshes/ReferenceBlocks.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceMeshBuilder.h"
-#include "Reference/Meshes/ReferenceMeshing.h"
-#include "Reference/Meshes/ReferenceVolume.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Meshes/ReferenceBlocks.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceMeshBuilder.h"
+#include "Support/Meshes/ReferenceMeshing.h"
+#include "Support/Meshes/ReferenceVolume.h"
 
 #include "vtkCell.h"
 #include "vtkCellData.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkIntervalVolume takes what the mesher makes: adjacent intervals tile the mesh, of surfaces and
 // of concave polyhedra, and the volume of each is that of the linear field's slab.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Intervals/ReferenceTilingCheck.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceMeshing.h"
-#include "Reference/Meshes/ReferenceVolume.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Intervals/ReferenceTilingCheck.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceMeshing.h"
+#include "Support/Meshes/ReferenceVolume.h"
 
 #include "vtkIntervalVolume.h"
 #include "vtkNew.h"

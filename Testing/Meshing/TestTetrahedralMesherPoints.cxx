@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points alone: Delaunay tetrahedra of the convex hull, refined where a bound is set.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceMeshing.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceMeshing.h"
 
 #include "vtkCommand.h"
 #include "vtkDataArray.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Progress, abort while TetGen works, repeatability, and PrintSelf.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceMeshing.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceMeshing.h"
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"

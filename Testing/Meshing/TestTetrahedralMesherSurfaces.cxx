@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Closed surfaces: the tetrahedra fill the space within, to rounding, shells within shells too.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceMeshing.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceMeshing.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

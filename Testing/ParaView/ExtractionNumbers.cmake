@@ -12,7 +12,7 @@ add_executable(ExtractionNumbers
   Extractions/TimeVaryingExtraction.cxx Extractions/TimeVaryingNumbers.cxx)
 target_include_directories(ExtractionNumbers PRIVATE "${PROJECT_SOURCE_DIR}/Testing")
 target_link_libraries(ExtractionNumbers PRIVATE
-  InterlumeInputs Interlume::InterlumeFlow Interlume::InterlumeIntervals
+  InterlumeSupport Interlume::InterlumeFlow Interlume::InterlumeIntervals
   Interlume::InterlumeSources VTK::ImagingCore VTK::IOLegacy VTK::IOXML nlohmann_json::nlohmann_json)
 set(extractions_folder "${CMAKE_BINARY_DIR}/Testing/Extractions")
 file(MAKE_DIRECTORY "${extractions_folder}")
@@ -24,7 +24,7 @@ function (picture_program name)
     Extractions/PictureStage.cxx Extractions/TimeVaryingExtraction.cxx)
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/Testing")
   target_link_libraries(${name} PRIVATE
-    InterlumeInputs Interlume::InterlumeFlow Interlume::InterlumeIntervals
+    InterlumeSupport Interlume::InterlumeFlow Interlume::InterlumeIntervals
     Interlume::InterlumeFlowTexture Interlume::InterlumeLight
     Interlume::InterlumeSources Interlume::InterlumeTetrahedra VTK::IOImage VTK::RenderingCore
     VTK::RenderingOpenGL2 VTK::RenderingVolume nlohmann_json::nlohmann_json)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Second differences of turning pictures: none in an even motion, and the frame that stands out.
-#include "Pictures/PictureTurn.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/PictureTurn.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 // The tight comparison of pictures, and what VTK's own lets through: a change of scale by 5 % and a
 // shift by one pixel pass there and fail here.
 
-#include "Pictures/PixelDifference.h"
+#include "Support/Drawing/PixelDifference.h"
 
 #include "vtkImageData.h"
 #include "vtkImageDifference.h"

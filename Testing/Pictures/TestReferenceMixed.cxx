@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The reference of volumes and surfaces in one picture, checked by itself: closed forms of slabs of
 // smoke, edges of shadows and penumbras, and of surfaces before, in, behind and between volumes.
-#include "Pictures/LightPoints.h"
-#include "Pictures/MixedScene.h"
-#include "Pictures/ReferenceMixedPicture.h"
-#include "Pictures/ShadowCases.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceThreads.h"
+#include "Support/Pictures/LightPoints.h"
+#include "Support/Pictures/MixedScene.h"
+#include "Support/Pictures/ReferenceMixedPicture.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceThreads.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The reference against closed forms: slabs, linear extinction, two slabs, order, every blend mode.
-#include "Pictures/PictureCases.h"
-#include "Pictures/ReferenceIntegral.h"
-#include "Pictures/ReferenceVolumePicture.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Drawing/PictureCases.h"
+#include "Support/Pictures/ReferenceIntegral.h"
+#include "Support/Pictures/ReferenceVolumePicture.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"

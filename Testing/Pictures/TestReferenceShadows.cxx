@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The reference of pictures with shadows, checked by itself: closed forms of homogeneous and linear
 // media, lights and gradients by their formulas, and by halving its steps.
-#include "Pictures/PictureSettings.h"
-#include "Pictures/ReferenceLightSource.h"
-#include "Pictures/ReferenceMedium.h"
-#include "Pictures/ReferenceShadow.h"
-#include "Pictures/ReferenceShadowPicture.h"
-#include "Pictures/ShadowCases.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/ReferenceLightSource.h"
+#include "Support/Pictures/ReferenceMedium.h"
+#include "Support/Pictures/ReferenceShadow.h"
+#include "Support/Pictures/ReferenceShadowPicture.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

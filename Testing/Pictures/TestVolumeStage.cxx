@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures in floating point of VTK's mappers, against the reference within what each of them
 // rounds.
-#include "Pictures/PictureCases.h"
-#include "Pictures/ReferenceVolumePicture.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Drawing/PictureCases.h"
+#include "Support/Pictures/ReferenceVolumePicture.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCamera.h"
 #include "vtkLight.h"

@@ -3,7 +3,7 @@
 // vtkTransform for each way to turn them, and by scale, index, mask and transform of the actor;
 // polygons with a dent are covered once.
 #include "Casters/PropSurfaces.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkActor.h"
 #include "vtkBitArray.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A cloud in the sun, drawn with light that is scattered once, forwards, and in full, against paths
 // of light by Monte Carlo.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Pictures/VolumeStage.h"
-#include "Transport/CloudCase.h"
-#include "Transport/SceneTransport.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Transport/CloudCase.h"
+#include "Support/Transport/SceneTransport.h"
 
 #include "vtkNew.h"
 #include "vtkShadowedSliceMapper.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Extremes of MultipleScattering of vtkShadowedSliceMapper, each by its name: albedo, anisotropy,
 // depths, sizes, places of lights, values that are no numbers; and no setting gains light.
-#include "Pages/StabilityCase.h"
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
-#include "Pictures/VolumeStage.h"
+#include "Support/Pages/StabilityCase.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Pictures/VolumeStage.h"
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Light that volumes of a vtkShadowedScenePass scatter on and on, in the shadows of surfaces, and
 // in several volumes at once.
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "Scattering/ScatteringSolver.h"
 
 #include "vtkActor.h"

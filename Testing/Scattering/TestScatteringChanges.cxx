@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Light that vtkShadowedSliceMapper scatters on and on is found again where something has changed
 // that it depends on, and kept where the view alone has.
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkAreaLight.h"
 #include "vtkCamera.h"

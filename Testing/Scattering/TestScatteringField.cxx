@@ -2,11 +2,11 @@
 // Light that vtkShadowedSliceMapper scatters on and on: pictures against the solver's own numbers,
 // light from all sides, which a medium that absorbs nothing leaves as it is, and pictures that
 // depend neither on the distance of slices nor on the size of buffers and cells.
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "Scattering/ScatteringSolver.h"
-#include "Transport/SceneTransport.h"
+#include "Support/Transport/SceneTransport.h"
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Light that vtkShadowedSliceMapper scatters once: albedo and phase function against their
 // formulas, and nothing of it where it is off.
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A picture of two pixels over a viewport: stretched by interpolation, a share of it, and colour
 // with transmittance.
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCommand.h"
 #include "vtkFloatArray.h"

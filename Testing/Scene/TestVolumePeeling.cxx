@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // UseDepthPeelingForVolumes: neither mapper can draw between two peels, so each draws the picture
 // that it draws without, and says so once.
-#include "Pictures/PictureCases.h"
-#include "Pictures/ShadowCases.h"
-#include "Pictures/ShadowPicture.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Drawing/PictureCases.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Each field against its formula, written again here; regions of known volume; the tetrahedra and
 // tubes that the header tells of the vortices.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Intervals/ReferenceExtraction.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceVolume.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Intervals/ReferenceExtraction.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceVolume.h"
 
 #include "vtkAnalyticFieldSource.h"
 #include "vtkConnectivityFilter.h"

@@ -2,11 +2,11 @@
 // Velocities against formulas and properties written anew, the Jacobian against differences,
 // divergence, flow maps against integration, obstacles; parts, threads, progress and abort;
 // settings.
-#include "Flows/ReferenceFlowMaps.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Checks/ReferenceRandom.h"
-#include "Reference/Meshes/ReferenceImageSource.h"
+#include "Support/AnalyticFlows/ReferenceFlowMaps.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Checks/ReferenceRandom.h"
+#include "Support/Meshes/ReferenceImageSource.h"
 
 #include "vtkAnalyticFlowSource.h"
 #include "vtkDataArray.h"

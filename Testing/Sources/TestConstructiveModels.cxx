@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The documented bounds of the models; volumes of those made of boxes, spheres and tori; what is
 // where, and of which colour; the source that samples them.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceProgress.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceProgress.h"
 
 #include "vtkConstructiveModelSource.h"
 #include "vtkConstructiveModels.h"

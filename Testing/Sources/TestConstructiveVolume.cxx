@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The arrays of every mode against the root's samples; equation 2.7; subsamples; colours beside an
 // object; parts, threads, progress, abort; the box of a root; what is refused.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Meshes/ReferenceImageSource.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Meshes/ReferenceImageSource.h"
 
 #include "vtkConstructiveModels.h"
 #include "vtkConstructiveVolume.h"

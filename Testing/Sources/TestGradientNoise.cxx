@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Values of the published implementation; zeros, period, mean, bound and smoothness of the noise;
 // sums of octaves against their formula; seeds.
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkGradientNoise.h"
 #include "vtkMinimalStandardRandomSequence.h"

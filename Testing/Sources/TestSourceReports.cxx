@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What sources report: points, evaluations and bytes against what settings and types say, for the
 // whole and for parts, for any number of threads, and nothing after an error.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Checks/ReferenceProgress.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Checks/ReferenceProgress.h"
 
 #include "vtkAnalyticFieldSource.h"
 #include "vtkAnalyticFlowSource.h"

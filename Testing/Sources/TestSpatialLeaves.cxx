@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Implicit functions: the inside, the edge's width in units of length, limits. Images: trilinear
 // values of a linear field in any direction and extent, the range, NaN, colours. What is refused.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Meshes/ReferenceImageSource.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Meshes/ReferenceImageSource.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every operation against its definition at random points, for soft and hard operands, from left to
 // right, with and without operands that are far away; bounds; operands that are refused.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Meshes/ReferenceImageSource.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Meshes/ReferenceImageSource.h"
 
 #include "vtkMath.h"
 #include "vtkMinimalStandardRandomSequence.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every shape against its definition, soft and hard, moved and turned; equation 2.7; volumes whose
 // error halves with the spacing; tiny and huge sizes; sizes that are refused.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Meshes/ReferenceImageSource.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Meshes/ReferenceImageSource.h"
 
 #include "vtkConstructiveVolume.h"
 #include "vtkFloatArray.h"

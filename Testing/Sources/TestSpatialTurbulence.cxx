@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every mode against its definition with the operand and the noise themselves; bounds; seeds;
 // frequencies of zero; what is refused.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Meshes/ReferenceImageSource.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Meshes/ReferenceImageSource.h"
 
 #include "vtkMinimalStandardRandomSequence.h"
 #include "vtkNew.h"

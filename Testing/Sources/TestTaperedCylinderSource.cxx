@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The wake and the grid against their formulas, written again here; the seam, the orientation of
 // the cells, the tetrahedra that the header tells.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Intervals/ReferenceExtraction.h"
-#include "Reference/TimeVarying/ReferenceTemporalSource.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Intervals/ReferenceExtraction.h"
+#include "Support/TimeVarying/ReferenceTemporalSource.h"
 
 #include "vtkMath.h"
 #include "vtkMinimalStandardRandomSequence.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pieces and parts of the extent have the values and points of the whole, float is double rounded,
 // and the bytes are the same for any number of threads.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceThreads.h"
-#include "Reference/TimeVarying/ReferenceTemporalSource.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceThreads.h"
+#include "Support/TimeVarying/ReferenceTemporalSource.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Setters clamp or refuse what is not valid and mark only real changes, PrintSelf prints every
 // public value, progress is told and an abort leaves an empty output.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/TimeVarying/ReferenceTemporalSource.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/TimeVarying/ReferenceTemporalSource.h"
 
 #include "vtkAnalyticFieldSource.h"
 #include "vtkCommand.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Time steps are told to the pipeline, any time is answered with the field at that time, and what
 // cannot be answered is an error with an empty output.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/TimeVarying/ReferenceTemporalSource.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/TimeVarying/ReferenceTemporalSource.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"

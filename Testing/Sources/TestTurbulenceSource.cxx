@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Values against the formula, with every sum, falloff and envelope; seeds; parts, threads, progress
 // and abort; settings.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Meshes/ReferenceImageSource.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Meshes/ReferenceImageSource.h"
 
 #include "vtkDataArray.h"
 #include "vtkGradientNoise.h"

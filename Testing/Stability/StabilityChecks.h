@@ -2,7 +2,7 @@
 #ifndef StabilityChecks_h
 #define StabilityChecks_h
 
-#include "Pages/StabilityCase.h" // for the catalogue
+#include "Support/Pages/StabilityCase.h" // for the catalogue
 
 #include <functional>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StabilityShapes.h"
 
-#include "Reference/Flow/ReferenceTerminationMesh.h"
+#include "Support/Flow/ReferenceTerminationMesh.h"
 
 #include "vtkMath.h"
 #include "vtkPolyData.h"

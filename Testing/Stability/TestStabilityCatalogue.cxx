@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The stability helper itself: what is reported is what is gathered, and what is wrong fails.
-#include "Pages/StabilityCase.h"
+#include "Support/Pages/StabilityCase.h"
 
 #include <chrono>
 #include <cmath>

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Extreme geometry and topology: cells without volume, inverted, with repeated points, alone, far
 // away, tiny, or with coordinates that are no numbers.
-#include "Pages/StabilityCase.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Intervals/ReferenceExtraction.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceLattice.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceMeshBuilder.h"
-#include "Reference/Meshes/ReferenceTransform.h"
-#include "Reference/Meshes/ReferenceVolume.h"
+#include "Support/Pages/StabilityCase.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Intervals/ReferenceExtraction.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceLattice.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceMeshBuilder.h"
+#include "Support/Meshes/ReferenceTransform.h"
+#include "Support/Meshes/ReferenceVolume.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

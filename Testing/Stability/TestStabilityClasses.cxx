@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every public class has cases in the catalogue of stability, which is that of this build; prints
 // how many. Arguments: the folder of the catalogue, and the classes.
-#include "Pages/StabilityCase.h"
+#include "Support/Pages/StabilityCase.h"
 
 #include <cstdlib>
 #include <exception>

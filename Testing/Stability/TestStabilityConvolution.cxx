@@ -3,7 +3,7 @@
 // nothing moves or is finite, and outside of the field.
 #include "StabilityChecks.h"
 
-#include "Reference/Flow/ReferenceFlowGrid.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Streamlines of extreme fields: each ends with a status, in steps that are bounded.
-#include "Pages/StabilityCase.h"
-#include "Reference/Flow/ReferenceAdvection.h"
+#include "Support/Pages/StabilityCase.h"
+#include "Support/Flow/ReferenceAdvection.h"
 
 #include "vtkImplicitFlowField.h" // for the integrators
 #include "vtkMath.h"

@@ -4,8 +4,8 @@
 #include "StabilityChecks.h"
 #include "StabilityShapes.h"
 
-#include "Flows/ReferenceFlowMaps.h"
-#include "Reference/Meshes/ReferenceMesh.h"
+#include "Support/AnalyticFlows/ReferenceFlowMaps.h"
+#include "Support/Meshes/ReferenceMesh.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

@@ -3,9 +3,9 @@
 // scales, and where there is nothing to extract.
 #include "StabilityChecks.h"
 
-#include "Flows/ReferenceFlowAnswers.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Flow/ReferenceContourSurfaces.h"
+#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Flow/ReferenceContourSurfaces.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

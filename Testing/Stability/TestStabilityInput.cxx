@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Wrong input and wrong settings: an error that names the array and the value, an empty output, no
 // crash, and the filter works again once they are right.
-#include "Pages/StabilityCase.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceMesh.h"
+#include "Support/Pages/StabilityCase.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

@@ -2,9 +2,9 @@
 // Bad and extreme input of the mesher. Where there is no mesh: an error that names what is wrong,
 // an empty output, and the process lives on, though TetGen throws, crashes or never ends. Where
 // there is one: positive tetrahedra that fill the volume.
-#include "Pages/StabilityCase.h"
-#include "Reference/Meshes/ReferenceMeshBuilder.h"
-#include "Reference/Meshes/ReferenceMeshing.h"
+#include "Support/Pages/StabilityCase.h"
+#include "Support/Meshes/ReferenceMeshBuilder.h"
+#include "Support/Meshes/ReferenceMeshing.h"
 
 #include "vtkCellArray.h"
 #include "vtkCommand.h"

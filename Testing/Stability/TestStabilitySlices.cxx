@@ -3,8 +3,8 @@
 // that are not finite, degenerate 4-simplices, and where nothing can be cut or written.
 #include "StabilityChecks.h"
 
-#include "Reference/Meshes/ReferenceVolume.h"
-#include "Reference/TimeVarying/ReferenceSimplexGrid.h"
+#include "Support/Meshes/ReferenceVolume.h"
+#include "Support/TimeVarying/ReferenceSimplexGrid.h"
 
 #include "vtkAnalyticFieldSource.h"
 #include "vtkDoubleArray.h"

@@ -4,8 +4,8 @@
 #include "StabilityChecks.h"
 #include "StabilityShapes.h"
 
-#include "Flows/ReferenceFlowAnswers.h"
-#include "Reference/Flow/ReferenceTerminationMesh.h"
+#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+#include "Support/Flow/ReferenceTerminationMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

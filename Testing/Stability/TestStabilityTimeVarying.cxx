@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Extreme times, values that change by much from step to step, and grids that move too far.
-#include "Pages/StabilityCase.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/TimeVarying/ReferenceSimplices.h"
-#include "Reference/TimeVarying/ReferenceSpaceTime.h"
-#include "Reference/TimeVarying/ReferenceTemporal.h"
-#include "Reference/TimeVarying/ReferenceTimeVarying.h"
+#include "Support/Pages/StabilityCase.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/TimeVarying/ReferenceSimplices.h"
+#include "Support/TimeVarying/ReferenceSpaceTime.h"
+#include "Support/TimeVarying/ReferenceTemporal.h"
+#include "Support/TimeVarying/ReferenceTimeVarying.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

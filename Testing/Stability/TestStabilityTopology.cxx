@@ -3,9 +3,9 @@
 // nearly singular, cells that are zero or not finite, and fields without any.
 #include "StabilityChecks.h"
 
-#include "Flows/ReferenceFlowMaps.h"
-#include "Reference/Flow/ReferenceCriticalPoints.h"
-#include "Reference/Meshes/ReferenceMesh.h"
+#include "Support/AnalyticFlows/ReferenceFlowMaps.h"
+#include "Support/Flow/ReferenceCriticalPoints.h"
+#include "Support/Meshes/ReferenceMesh.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"

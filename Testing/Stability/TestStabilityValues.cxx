@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Extreme values of the scalar and the bounds.
-#include "Pages/StabilityCase.h"
-#include "Reference/Intervals/ReferenceExtraction.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceVolume.h"
+#include "Support/Pages/StabilityCase.h"
+#include "Support/Intervals/ReferenceExtraction.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceVolume.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"

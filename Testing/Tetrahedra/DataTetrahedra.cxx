@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tetrahedra/DataTetrahedra.h"
 
-#include "Inputs/DataFiles.h"
-#include "Inputs/ExodusTimeSource.h"
-#include "Pictures/PictureSettings.h"
+#include "Support/Inputs/DataFiles.h"
+#include "Support/Inputs/ExodusTimeSource.h"
+#include "Support/Pictures/PictureSettings.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tetrahedra/MapperPicture.h"
 
-#include "Pictures/PictureSettings.h"
-#include "Pictures/VolumeStage.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/VolumeStage.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

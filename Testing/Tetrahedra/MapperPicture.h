@@ -2,7 +2,7 @@
 #ifndef MapperPicture_h
 #define MapperPicture_h
 
-#include "Pictures/ReferenceVolumePicture.h" // for the settings
+#include "Support/Pictures/ReferenceVolumePicture.h" // for the settings
 
 #include "vtkSmartPointer.h" // for what is drawn
 

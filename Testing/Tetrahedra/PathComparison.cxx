@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tetrahedra/PathComparison.h"
 
-#include "Pictures/PictureSettings.h"
-#include "Pictures/ReferenceRay.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/ReferenceRay.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCamera.h"
 #include "vtkIdList.h"

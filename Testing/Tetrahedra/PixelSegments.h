@@ -2,7 +2,7 @@
 #ifndef PixelSegments_h
 #define PixelSegments_h
 
-#include "Pictures/PictureSettings.h" // for points
+#include "Support/Pictures/PictureSettings.h" // for points
 
 #include "vtkNew.h"
 

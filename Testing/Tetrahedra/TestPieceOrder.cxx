@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The order of boxes that planes part, along lines of sight that are cut with all of them; and
 // which boxes planes do not part.
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "Pieces/PieceOrder.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The nodes for two, three and n steps, what is refused, and the colours in a picture.
-#include "Pages/StabilityCase.h"
-#include "Pictures/PictureCases.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pages/StabilityCase.h"
+#include "Support/Drawing/PictureCases.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/MapperPicture.h"
 
 #include "vtkCamera.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Real tetrahedra seen along the axes, where faces are seen edge-on and points coincide: no pixel
 // of either render path is off. TestTetrahedraMapperAlignedData does so with every file.
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/DataTetrahedra.h"
 #include "Tetrahedra/PathComparison.h"
 

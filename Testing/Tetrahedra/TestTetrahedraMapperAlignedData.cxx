@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every file of Data/ seen along the axes: the grids whole, all as interval volumes.
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/DataTetrahedra.h"
 #include "Tetrahedra/PathComparison.h"
 

@@ -2,9 +2,9 @@
 // Every kind of camera: stereo, sheared, off-axis, with user transforms. Silhouettes against those
 // of vtkPolyDataMapper, colors of slabs in order and cut by planes and surfaces against formulas,
 // selection, lit boundaries.
-#include "Pictures/PictureCases.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Drawing/PictureCases.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/MapperPicture.h"
 #include "Tetrahedra/PixelSegments.h"
 #include "View/TetrahedraView.h"

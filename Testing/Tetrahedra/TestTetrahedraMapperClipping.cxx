@@ -2,9 +2,9 @@
 // Clipping planes at any angle against formulas: the depth of what they leave of each pixel's
 // segment, in every blend mode and kind of values, in order, with boundaries and selection; planes
 // through points; planes that come, move and go, in views that move.
-#include "Pictures/PictureCases.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Drawing/PictureCases.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/MapperPicture.h"
 #include "Tetrahedra/PixelSegments.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pay for use: what a picture did not need was not done, by the report of both render paths.
-#include "Pictures/PictureCases.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Drawing/PictureCases.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/MapperPicture.h"
 
 #include "vtkCamera.h"

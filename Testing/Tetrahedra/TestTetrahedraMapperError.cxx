@@ -2,8 +2,8 @@
 // The largest channel error of both render paths against the reference, in a float framebuffer, on
 // linear fields: regular and thin tetrahedra, small, large and far meshes, faint and dense ones.
 // The error of VTK's mapper stands in the same row.
-#include "Pages/StabilityCase.h"
-#include "Pictures/PictureCases.h"
+#include "Support/Pages/StabilityCase.h"
+#include "Support/Drawing/PictureCases.h"
 #include "Tetrahedra/MapperPicture.h"
 
 #include "vtkCamera.h"

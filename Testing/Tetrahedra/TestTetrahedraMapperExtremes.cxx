@@ -2,8 +2,8 @@
 // The far plane, transfer functions of many nodes, and meshes of tetrahedra as thin as numbers are:
 // the software path is right in all of them, and OpenGL as far as vtkTimeWeightedTetrahedraMapper.h
 // says.
-#include "Pages/StabilityCase.h"
-#include "Pictures/PictureCases.h"
+#include "Support/Pages/StabilityCase.h"
+#include "Support/Drawing/PictureCases.h"
 #include "Tetrahedra/MapperPicture.h"
 
 #include "vtkCamera.h"

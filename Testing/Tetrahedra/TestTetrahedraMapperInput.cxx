@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Input that cannot be drawn, in whole or in part: what is said, what is left out, what is seen.
-#include "Pages/StabilityCase.h"
-#include "Pictures/PictureCases.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Meshes/ReferenceMesh.h"
+#include "Support/Pages/StabilityCase.h"
+#include "Support/Drawing/PictureCases.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Meshes/ReferenceMesh.h"
 #include "Tetrahedra/MapperPicture.h"
 
 #include "vtkCallbackCommand.h"

@@ -2,9 +2,9 @@
 // A plate of constant hypercubes, projected along time: with its extent in time it is a slab of
 // constant extinction, 1 - exp(-tau duration length) from everywhere (figure 3.19 of the source);
 // without, the overlap of the tetrahedra shows (figure 3.14).
-#include "Pictures/HypercubePlate.h"
-#include "Pictures/PictureCases.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/HypercubePlate.h"
+#include "Support/Drawing/PictureCases.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/MapperPicture.h"
 
 #include "vtkAlgorithm.h"

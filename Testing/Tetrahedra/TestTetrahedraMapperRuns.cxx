@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The software path draws the same picture with any number of threads, and leaves off where the
 // window's abort says so.
-#include "Pictures/DrawingAborts.h"
-#include "Pictures/PictureCases.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceExecution.h"
+#include "Support/Drawing/DrawingAborts.h"
+#include "Support/Drawing/PictureCases.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceExecution.h"
 #include "Tetrahedra/MapperPicture.h"
 
 #include "vtkCamera.h"

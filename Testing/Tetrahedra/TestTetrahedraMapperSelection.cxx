@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkHardwareSelector finds the input's cell ids: of well separated tetrahedra, with some left out,
 // transparent, hidden or cut by the near plane, with and without multisampling.
-#include "Pictures/PictureSettings.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/MapperPicture.h"
 
 #include "vtkActor.h"
@@ -239,8 +239,7 @@ void TestNearPlane(Check& check, int path, bool parallel, int samples)
   // At z = 0.05 the apex of each is cut off; the middle of each is behind.
   picker.Renderer->GetActiveCamera()->SetClippingRange(eye[2] - 0.05, eye[2] + 10.0);
   Expect(check, picker, {}, "cut by the near plane");
-  check.Equal(
-    picker.Drawer->GetReport().TetrahedraClipped, Cells, picker.Name + ": all are cut");
+  check.Equal(picker.Drawer->GetReport().TetrahedraClipped, Cells, picker.Name + ": all are cut");
 }
 
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The silhouettes of a vertex shader against those of a geometry shader: every kind of array, blend
 // mode and part of a picture, by one mapper that takes turns with both.
-#include "Pictures/PictureCases.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Drawing/PictureCases.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/MapperPicture.h"
 
 #include "vtkActor.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A slab of constant extinction is 1 - exp(-tau d), uniform where d is; a finer mesh of the same
 // field gives the same picture.
-#include "Pictures/PictureCases.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Drawing/PictureCases.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/MapperPicture.h"
 
 #include "vtkCamera.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Drawing leaves how pixels are read and written as it was: a picture of odd width, read after it
 // as RGB, has rows of which the length is no multiple of four.
-#include "Pictures/PictureCases.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Drawing/PictureCases.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/MapperPicture.h"
 
 #include "vtkActor.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Boundary triangles in the volume: opaque ones as vtkPolyDataMapper draws them, a translucent face
 // between two halves of a slab as the formula has it, textures, points matched by their place.
-#include "Pictures/PictureCases.h"
-#include "Pictures/ReferenceRay.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Drawing/PictureCases.h"
+#include "Support/Pictures/ReferenceRay.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/MapperPicture.h"
 
 #include "vtkActor.h"

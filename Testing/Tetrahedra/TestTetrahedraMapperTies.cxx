@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Meshes at random whose points coincide on the screen, or nearly so, whose faces are seen edge-on
 // and whose tetrahedra are nearly flat; and one mapper through a sequence of changes at random.
-#include "Pictures/PictureCases.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceRandom.h"
+#include "Support/Drawing/PictureCases.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceRandom.h"
 #include "Tetrahedra/MapperPicture.h"
 #include "Tetrahedra/PathComparison.h"
 

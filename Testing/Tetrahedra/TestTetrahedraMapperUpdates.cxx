@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // New values on the same mesh, as those of a time step, keep the mesh, its adjacency, order and
 // what was sent of it; what is drawn then has the bytes that a mapper made anew draws.
-#include "Pictures/PictureCases.h"
-#include "Pictures/VolumeStage.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Drawing/PictureCases.h"
+#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/MapperPicture.h"
 
 #include "vtkCamera.h"

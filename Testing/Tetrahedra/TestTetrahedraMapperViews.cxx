@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One mapper in several windows and renderers, resized, released and drawn again; depth peeling and
 // multisampling; level of detail. Pictures are compared with those of fresh mappers.
-#include "Pictures/PictureCases.h"
-#include "Pictures/TestWindow.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Drawing/PictureCases.h"
+#include "Support/Pictures/TestWindow.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/MapperPicture.h"
 
 #include "vtkActor.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The adjacency of tetrahedra, against a map of their faces.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Tetrahedra/ReferenceTetrahedra.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Tetrahedra/ReferenceTetrahedra.h"
 
 #include "Order/FaceAdjacency.h"
 

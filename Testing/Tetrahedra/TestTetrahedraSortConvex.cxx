@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The visibility order of convex meshes along lines of sight, each intersected with all tetrahedra.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Tetrahedra/ReferenceSightlines.h"
-#include "Reference/Tetrahedra/ReferenceTetrahedra.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Tetrahedra/ReferenceSightlines.h"
+#include "Support/Tetrahedra/ReferenceTetrahedra.h"
 
 #include "Order/VisibilityOrder.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The visibility order where signs are 0: eyes on points, edges and planes of faces; and of meshes
 // that are not manifold.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Tetrahedra/ReferenceSightlines.h"
-#include "Reference/Tetrahedra/ReferenceTetrahedra.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Tetrahedra/ReferenceSightlines.h"
+#include "Support/Tetrahedra/ReferenceTetrahedra.h"
 
 #include "Order/VisibilityOrder.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which pixels' lines of sight pass a triangle, and what the places where one enters and leaves a
 // mesh say about order.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Tetrahedra/ReferenceSightlines.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Tetrahedra/ReferenceSightlines.h"
 
 #include "Order/FaceRaster.h"
 #include "View/FrameProjection.h"

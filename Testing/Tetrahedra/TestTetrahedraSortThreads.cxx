@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The same orders for 1, 2 and 8 threads and every backend.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceExecution.h"
-#include "Reference/Tetrahedra/ReferenceSightlines.h"
-#include "Reference/Tetrahedra/ReferenceTetrahedra.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceExecution.h"
+#include "Support/Tetrahedra/ReferenceSightlines.h"
+#include "Support/Tetrahedra/ReferenceTetrahedra.h"
 
 #include "Order/CentroidOrder.h"
 #include "Order/FaceAdjacency.h"

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Media of the Monte Carlo solver: extinction and albedo of an image against another evaluation of
 // the same functions, the ranges of their cells, and what comes through them against sums.
-#include "Pictures/PictureSettings.h"
-#include "Pictures/ReferenceMedium.h"
-#include "Pictures/ShadowCases.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceRandom.h"
-#include "Transport/CellMedium.h"
-#include "Transport/FunctionMedium.h"
-#include "Transport/TransportFlight.h"
-#include "Transport/VolumeMedium.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/ReferenceMedium.h"
+#include "Support/Pictures/ShadowCases.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceRandom.h"
+#include "Support/Transport/CellMedium.h"
+#include "Support/Transport/FunctionMedium.h"
+#include "Support/Transport/TransportFlight.h"
+#include "Support/Transport/VolumeMedium.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkImageData.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures by the Monte Carlo solver: published intensities of a slab at seven angles, the formula
 // of single scattering, a white furnace, coloured albedo.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceThreads.h"
-#include "Transport/FunctionMedium.h"
-#include "Transport/PictureTransport.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceThreads.h"
+#include "Support/Transport/FunctionMedium.h"
+#include "Support/Transport/PictureTransport.h"
 
 #include "vtkSMPTools.h"
 

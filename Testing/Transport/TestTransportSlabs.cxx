@@ -2,9 +2,9 @@
 // The Monte Carlo solver of scattered light against published slabs: H. C. van de Hulst, "Multiple
 // Light Scattering", Academic Press 1980, volumes I and II, as public test suites of other solvers
 // quote them. Reflection and transmission are flux over incident flux; the surfaces do not reflect.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceThreads.h"
-#include "Transport/SlabTransport.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceThreads.h"
+#include "Support/Transport/SlabTransport.h"
 
 #include "vtkSMPTools.h"
 

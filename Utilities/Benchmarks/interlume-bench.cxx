@@ -6,7 +6,7 @@
 #include "Benchmarks/Results/BenchMachine.h"
 #include "Benchmarks/Results/BenchResults.h"
 #include "Benchmarks/Suites/BenchSuite.h"
-#include "Pages/StabilityCase.h"
+#include "Support/Pages/StabilityCase.h"
 
 #include "vtkSMPTools.h"
 

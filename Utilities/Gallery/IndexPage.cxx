@@ -3,8 +3,8 @@
 
 #include "Gallery/FrameFiles.h"
 #include "Gallery/Scene.h"
-#include "Inputs/DataManifest.h"
-#include "Pages/HtmlText.h"
+#include "Support/Inputs/DataManifest.h"
+#include "Support/Pages/HtmlText.h"
 
 #include "vtkVersion.h"
 

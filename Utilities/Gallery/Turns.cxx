@@ -4,7 +4,7 @@
 #include "Gallery/Picture.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Stage.h"
-#include "Pictures/PictureTurn.h"
+#include "Support/Pictures/PictureTurn.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"

@@ -11,7 +11,7 @@ set(interlume_precompiled_headers
   <vtkUnstructuredGrid.h>)
 set(interlume_large_targets
   InterlumeBenchmarks InterlumeFlowTests InterlumeGalleryScenes InterlumeIntervalsTests InterlumeLightTests
-  InterlumePictures InterlumeReference InterlumeRepresentations InterlumeTetrahedraTests)
+  InterlumePictureSupport InterlumeRepresentations InterlumeTestSupport InterlumeTetrahedraTests)
 
 function (interlume_precompile)
   if (NOT INTERLUME_PRECOMPILE_HEADERS)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is kept of paths besides their ends: speeds, lengths and means against exact ones.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Flow/ReferenceAdvection.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Flow/ReferenceAdvection.h"
 
 #include "vtkImplicitFlowField.h" // for the integrators
 #include "vtkMath.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Streamlines four at a time, with AVX2 and without, against the same one by one, to the last byte:
 // images and rectilinear grids of any kind, surfaces, limits, every status, every method.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceRandom.h"
-#include "Reference/Flow/ReferenceFlowGrid.h"
-#include "Reference/Meshes/ReferenceLattice.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceRandom.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
+#include "Support/Meshes/ReferenceLattice.h"
 
 #include "Advection/AdvectionLanes.h"
 #include "Fields/FieldDispatch.h"

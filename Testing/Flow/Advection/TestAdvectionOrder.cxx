@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Errors of streamlines against exact ones and those of a method of order 8(7): how they fall with
 // the step, and what they are at one tolerance.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Flow/ReferenceAdvection.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Flow/ReferenceAdvection.h"
 
 #include "Advection/AdvectionRate.h"
 #include "Advection/DormandPrinceStep.h"

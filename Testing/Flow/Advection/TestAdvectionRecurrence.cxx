@@ -2,9 +2,9 @@
 // Closed orbits end by coming back, long before the steps are used up; spirals, inward, outward and
 // along an axis, arrive where they would have arrived however slowly they get there, and so do
 // streamlines beside an orbit that repels them.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Flow/ReferenceAdvection.h"
-#include "Reference/Flow/ReferenceFlowGrid.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Flow/ReferenceAdvection.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
 
 #include "vtkFlowStatus.h"
 #include "vtkImplicitFlowField.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How streamlines end where they reach no surface: every status, and limits to the last digit.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Flow/ReferenceAdvection.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Flow/ReferenceAdvection.h"
 
 #include "vtkFlowSettings.h"
 #include "Advection/Advection.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where streamlines meet termination surfaces: ids, parameters and times against exact ones.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Flow/ReferenceAdvection.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Flow/ReferenceAdvection.h"
 
 #include "vtkImplicitFlowField.h" // for the integrators
 #include "vtkMath.h"

@@ -3,10 +3,10 @@
 // own faces on six kinds of grids, flat and bent, against a flow whose streamlines are known;
 // planes on rounded points, samples on the skin, walls without slip, and surfaces that are not to
 // be reached.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Flow/ReferenceFlowGrid.h"
-#include "Reference/Flow/ReferenceSkin.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
+#include "Support/Flow/ReferenceSkin.h"
 
 #include "vtkFlowStatus.h"
 #include "vtkImplicitFlowField.h"

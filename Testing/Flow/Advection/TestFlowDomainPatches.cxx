@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Domain faces of unstructured grids and of several blocks: patches between sharp edges, their ids
 // and places, against a flow whose streamlines are known.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Flow/ReferenceFlowGrid.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
 
 #include "vtkFlowStatus.h"
 #include "vtkImplicitFlowField.h"

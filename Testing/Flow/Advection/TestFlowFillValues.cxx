@@ -3,9 +3,9 @@
 // of the points, and nothing else; streamlines, line integral convolution, critical points, vortex
 // axes and inflow surfaces are those of the other points, with a warning that names the value, also
 // if that is NaN or infinite.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Flow/ReferenceFlowGrid.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
 
 #include "vtkFlowCriticalPoints.h"
 #include "vtkFlowLIC.h"

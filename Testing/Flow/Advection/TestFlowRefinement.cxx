@@ -2,12 +2,12 @@
 // Samples refined where their answers differ: cells fit face to face and fill what they filled, on
 // grids of every kind; what a flow volume leaves out at a separatrix halves with each level, and at
 // a surface that flow comes back to; arrays, threads, pieces, ghosts, progress and abort.
-#include "Flows/ReferenceFlowAnswers.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Checks/ReferenceThreads.h"
-#include "Reference/Flow/ReferenceFlowGrid.h"
+#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Checks/ReferenceThreads.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
 
 #include "vtkFlowStatus.h"
 #include "vtkFlowVolume.h"

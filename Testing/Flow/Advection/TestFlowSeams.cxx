@@ -2,10 +2,10 @@
 // Seams whose points are the same but for rounding, or a small gap: grids that are closed on
 // themselves and rings of blocks, against a spiral whose end is known; what is joined is counted,
 // and faces that have a cell beyond them which they do not match are.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Flow/ReferenceFlowGrid.h"
-#include "Reference/Flow/ReferenceSkin.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
+#include "Support/Flow/ReferenceSkin.h"
 
 #include "vtkFlowStatus.h"
 #include "vtkImplicitFlowField.h"

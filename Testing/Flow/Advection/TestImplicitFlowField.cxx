@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkImplicitFlowField over grids of every kind: where and when samples end, what is kept of them,
 // samples of their own, domain faces, spheres around critical points, threads, parts, errors.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceExecution.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Checks/ReferenceRandom.h"
-#include "Reference/Flow/ReferenceFlowGrid.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceExecution.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Checks/ReferenceRandom.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
 
 #include "vtkFlowStatus.h"
 #include "vtkImplicitFlowField.h"

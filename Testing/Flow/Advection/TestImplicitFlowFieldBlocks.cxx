@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkImplicitFlowField over composite data: streamlines from block to block, with the answers that
 // one grid gives; hidden and duplicate cells, arrays, samples and errors of blocks.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceExecution.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Flow/ReferenceFlowGrid.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceExecution.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
 
 #include "vtkFlowStatus.h"
 #include "vtkImplicitFlowField.h"

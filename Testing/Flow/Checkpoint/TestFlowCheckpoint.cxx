@@ -2,10 +2,10 @@
 // An implicit flow field that is stopped, by an abort and by a kill, and resumed from its
 // checkpoint: the bytes of a run that was never stopped; files that are refused, and what is
 // written when.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Checks/ReferenceThreads.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Checks/ReferenceThreads.h"
 
 #include "vtkAnalyticFlowSource.h"
 #include "vtkImplicitFlowField.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A field that processes hold in parts, under MPI: stopped in one of them, resumed by all, with the
 // bytes of a run without a stop.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceProgress.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceProgress.h"
 
 #include "vtkAnalyticFlowSource.h"
 #include "vtkFlowStatus.h"

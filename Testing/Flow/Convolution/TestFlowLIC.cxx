@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkFlowLIC: values against quadrature by brute force, contrast, coherence along streamlines,
 // where streamlines end, points outside and at rest, kinds of datasets, threads, errors.
-#include "Flows/ReferenceNoise.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceExecution.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Checks/ReferenceRandom.h"
-#include "Reference/Flow/ReferenceFlowGrid.h"
-#include "Reference/Meshes/ReferenceImageSource.h"
+#include "Support/AnalyticFlows/ReferenceNoise.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceExecution.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Checks/ReferenceRandom.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
+#include "Support/Meshes/ReferenceImageSource.h"
 
 #include "vtkFlowLIC.h"
 

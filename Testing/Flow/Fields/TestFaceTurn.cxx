@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The order that all faces of the same points share: the same for each way to go around a face,
 // with points that come twice too, and links lead from corner to corner.
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "Fields/FaceTurn.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What flow filters give with no setting: few samples of large fields, scalars to colour by, and a
 // warning that says what the data has where nothing comes out.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Flow/ReferenceFlowGrid.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
 
 #include "vtkFlowCriticalPoints.h"
 #include "vtkFlowLIC.h"

@@ -2,10 +2,10 @@
 // What fields of flow filters may be: grids with triangles on their boundary, blocks of floats and
 // of doubles, blocks beside patches; what is said of planar fields and of arrays in the cells; and
 // that an aborted filter executes again.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Flow/ReferenceFlowGrid.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
 
 #include "vtkFlowCriticalPoints.h"
 #include "vtkFlowLIC.h"

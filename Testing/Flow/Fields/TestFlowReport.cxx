@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkFlowReport: what a sample adds, what another report adds, and what is printed.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceProgress.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceProgress.h"
 
 #include "Advection/AdvectionOptions.h"
 #include "vtkFlowReport.h"

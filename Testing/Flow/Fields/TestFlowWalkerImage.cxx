@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The walkers of images and rectilinear grids against VTK's cells, differences, linear fields and
 // straight lines; the field's sums, blanking, array types and errors.
-#include "Reference/Flow/ReferenceWalker.h"
-#include "Reference/Meshes/ReferenceLattice.h"
+#include "Support/Flow/ReferenceWalker.h"
+#include "Support/Meshes/ReferenceLattice.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"

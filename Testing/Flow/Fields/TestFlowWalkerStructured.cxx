@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The walker of structured grids against VTK's hexahedra, differences, linear fields and straight
 // lines; seams, blanking, collapsed and folded cells, threads.
-#include "Reference/Checks/ReferenceExecution.h"
-#include "Reference/Flow/ReferenceWalker.h"
+#include "Support/Checks/ReferenceExecution.h"
+#include "Support/Flow/ReferenceWalker.h"
 
 #include "Fields/FieldDispatch.h"
 #include "vtkNew.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The walker of unstructured grids against VTK's cells, differences, linear fields and straight
 // lines, over meshes of all its types; turned and mirrored cells, blocks, cracks and errors.
-#include "Reference/Checks/ReferenceExecution.h"
-#include "Reference/Flow/ReferenceWalker.h"
-#include "Reference/Meshes/ReferenceTransform.h"
+#include "Support/Checks/ReferenceExecution.h"
+#include "Support/Flow/ReferenceWalker.h"
+#include "Support/Meshes/ReferenceTransform.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"

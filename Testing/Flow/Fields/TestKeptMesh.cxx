@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is found of a mesh's faces is kept between executions: when it is used again, when not, and
 // that answers are those of a mesh that nothing is known of, to the last byte.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Flow/ReferenceFlowGrid.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"

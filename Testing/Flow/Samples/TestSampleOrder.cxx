@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The order in which samples are followed: each once, those of a block one after another, for
 // positions of any kind.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceRandom.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceRandom.h"
 
 #include "Samples/SampleOrder.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What vtkImplicitFlowField says of the error between its samples, against formulas: flows that are
 // straight and that turn, on all grids; what is split; seams; threads; pay for use.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Flow/ReferenceFlowGrid.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Samples that take the answers of those around them: errors by formula and against all
 // streamlines, what is refused, threads, pay for use.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Flow/ReferenceFlowGrid.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
 
 #include "Samples/SharedLattice.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Streams/RankMeshes.h"
 
-#include "Reference/Flow/ReferenceFlowGrid.h"
-#include "Reference/Meshes/ReferencePieceSource.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
+#include "Support/Meshes/ReferencePieceSource.h"
 
 #include "vtkAnalyticFlowSource.h"
 #include "vtkCellData.h"

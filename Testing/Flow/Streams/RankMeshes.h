@@ -2,7 +2,7 @@
 #ifndef RankMeshes_h
 #define RankMeshes_h
 
-#include "Reference/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceMesh.h"
 #include "Streams/CurvedGridSource.h"
 
 #include "vtkSmartPointer.h"

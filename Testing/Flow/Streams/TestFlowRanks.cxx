@@ -2,12 +2,12 @@
 // Implicit flow of fields that processes hold in parts, under MPI: the bytes of one process with
 // all of the field, at a share of its memory; what is wrong in any process, and what keeps the
 // field whole.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
 #include "Streams/CurvedGridSource.h"
 #include "Streams/RankMeshes.h"
 
-#include "Inputs/DataFiles.h"
+#include "Support/Inputs/DataFiles.h"
 
 #include "vtkAnalyticFlowSource.h"
 #include "vtkFlowStatus.h"

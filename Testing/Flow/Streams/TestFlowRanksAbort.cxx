@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Implicit flow of a field in parts is aborted in one process: it ends in all, none has an answer,
 // and once the abort is taken back all have what they would have had.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceProgress.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceProgress.h"
 
 #include "vtkAnalyticFlowSource.h"
 #include "vtkFlowStatus.h"

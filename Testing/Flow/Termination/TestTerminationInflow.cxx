@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The rectangle where flow enters: across the axis and at the end that the flow enters by, as wide
 // as it, on every kind of grid; where streamlines go forward where it leaves.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Flow/ReferenceFlowGrid.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
 
 #include "vtkFlowStatus.h"
 #include "vtkImplicitFlowField.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The signed distance of meshes against all triangles and the winding number: sharp edges, tips,
 // concave solids, closed grids; seams, open borders and jumps; all scales.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceRandom.h"
-#include "Reference/Flow/ReferenceTermination.h"
-#include "Reference/Flow/ReferenceTerminationMesh.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceRandom.h"
+#include "Support/Flow/ReferenceTermination.h"
+#include "Support/Flow/ReferenceTerminationMesh.h"
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"

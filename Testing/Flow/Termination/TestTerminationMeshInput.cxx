@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Meshes that are turned wrongly, doubled, degenerate or of one side, and what cannot be used.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Flow/ReferenceTermination.h"
-#include "Reference/Flow/ReferenceTerminationMesh.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Flow/ReferenceTermination.h"
+#include "Support/Flow/ReferenceTerminationMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

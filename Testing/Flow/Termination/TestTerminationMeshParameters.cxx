@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Texture coordinates of meshes as parameters: of a point and back, over seams with and without
 // points on both sides, with gaps; strips and polygons; IsOn of a half cylinder.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceRandom.h"
-#include "Reference/Flow/ReferenceTermination.h"
-#include "Reference/Flow/ReferenceTerminationMesh.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceRandom.h"
+#include "Support/Flow/ReferenceTermination.h"
+#include "Support/Flow/ReferenceTerminationMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"

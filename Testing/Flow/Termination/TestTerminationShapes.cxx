@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plane, sphere, cylinder and box against formulas and samples, at all scales and far from the
 // origin; where they end, where their parameters go around.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Flow/ReferenceTermination.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Flow/ReferenceTermination.h"
 
 #include "vtkNew.h"
 #include "vtkTerminationBox.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What Update says of settings that cannot be used; ids, bounds and what is printed.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Flow/ReferenceTermination.h"
-#include "Reference/Flow/ReferenceTerminationMesh.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Flow/ReferenceTermination.h"
+#include "Support/Flow/ReferenceTerminationMesh.h"
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"

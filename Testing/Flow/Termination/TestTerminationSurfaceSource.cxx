@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Surfaces drawn: points on them with their parameters and normals, areas and rims against
 // formulas, triangles turned outward, ids; gaps, messages, progress, threads.
-#include "Flows/ReferenceFlowMaps.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceExecution.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Flow/ReferenceTermination.h"
-#include "Reference/Flow/ReferenceTerminationMesh.h"
+#include "Support/AnalyticFlows/ReferenceFlowMaps.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceExecution.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Flow/ReferenceTermination.h"
+#include "Support/Flow/ReferenceTerminationMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

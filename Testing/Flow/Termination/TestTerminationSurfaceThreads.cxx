@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Evaluation by many threads at once gives what one thread gives, to the bit.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Flow/ReferenceTermination.h"
-#include "Reference/Flow/ReferenceTerminationMesh.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Flow/ReferenceTermination.h"
+#include "Support/Flow/ReferenceTerminationMesh.h"
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"

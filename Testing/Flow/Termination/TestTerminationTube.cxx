@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tubes around straight, bent, knotted and closed lines: distance, angle and length without jumps,
 // round ends, messages.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceRandom.h"
-#include "Reference/Flow/ReferenceTermination.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceRandom.h"
+#include "Support/Flow/ReferenceTermination.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"

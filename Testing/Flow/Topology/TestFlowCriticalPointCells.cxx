@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Zeros of random cells against Newton's method from many places; two in a cell; the sum of indices
 // in random fields; cells of very different lengths.
-#include "Flows/ReferenceFlowMaps.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceRandom.h"
-#include "Reference/Flow/ReferenceCriticalPoints.h"
-#include "Reference/Flow/ReferenceFlowGrid.h"
-#include "Reference/Meshes/ReferenceLattice.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceMeshBuilder.h"
-#include "Reference/Meshes/ReferenceTransform.h"
+#include "Support/AnalyticFlows/ReferenceFlowMaps.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceRandom.h"
+#include "Support/Flow/ReferenceCriticalPoints.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
+#include "Support/Meshes/ReferenceLattice.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceMeshBuilder.h"
+#include "Support/Meshes/ReferenceTransform.h"
 
 #include "vtkCell.h"
 #include "vtkImageData.h"

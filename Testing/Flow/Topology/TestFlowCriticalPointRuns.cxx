@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Zeros that are not isolated; blanked cells and NaN; threads, progress, abort, errors.
-#include "Flows/ReferenceFlowMaps.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceExecution.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Checks/ReferenceRandom.h"
-#include "Reference/Flow/ReferenceCriticalPoints.h"
-#include "Reference/Meshes/ReferenceLattice.h"
-#include "Reference/Meshes/ReferenceMesh.h"
+#include "Support/AnalyticFlows/ReferenceFlowMaps.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceExecution.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Checks/ReferenceRandom.h"
+#include "Support/Flow/ReferenceCriticalPoints.h"
+#include "Support/Meshes/ReferenceLattice.h"
+#include "Support/Meshes/ReferenceMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"

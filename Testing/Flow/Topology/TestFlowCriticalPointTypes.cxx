@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Types of critical points by constructed eigenvalues, and those of the analytic sources.
-#include "Flows/ReferenceFlowMaps.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceRandom.h"
-#include "Reference/Flow/ReferenceCriticalPoints.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceMeshBuilder.h"
+#include "Support/AnalyticFlows/ReferenceFlowMaps.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceRandom.h"
+#include "Support/Flow/ReferenceCriticalPoints.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceMeshBuilder.h"
 
 #include "vtkAnalyticFlowSource.h"
 #include "vtkFlowCriticalPoints.h"

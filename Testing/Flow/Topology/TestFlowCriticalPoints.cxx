@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Known zeros of linear and trilinear fields on all kinds of grids, also on faces, edges and
 // points, once each; scales.
-#include "Flows/ReferenceFlowMaps.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Flow/ReferenceCriticalPoints.h"
-#include "Reference/Meshes/ReferenceLattice.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceTransform.h"
+#include "Support/AnalyticFlows/ReferenceFlowMaps.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Flow/ReferenceCriticalPoints.h"
+#include "Support/Meshes/ReferenceLattice.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceTransform.h"
 
 #include "vtkCell.h"
 #include "vtkImageData.h"

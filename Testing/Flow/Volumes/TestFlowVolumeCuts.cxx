@@ -2,11 +2,11 @@
 // Cells that a termination surface passes through, cut there: what a flow volume has beside planes,
 // spheres and in balls against formulas, of streamlines that end there and of those that come back,
 // with times and parameters up to the surface, fitting to the cells beside them.
-#include "Flows/ReferenceFlowAnswers.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceThreads.h"
-#include "Reference/Flow/ReferenceFlowGrid.h"
-#include "Reference/Flow/ReferenceFlowVolume.h"
+#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceThreads.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
+#include "Support/Flow/ReferenceFlowVolume.h"
 
 #include "vtkFlowVolume.h"
 #include "vtkImplicitFlowField.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a flow volume is given and gives: errors, arrays and their types, settings, progress and
 // abort, and the same bytes for any number of threads.
-#include "Flows/ReferenceFlowAnswers.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Checks/ReferenceThreads.h"
-#include "Reference/Meshes/ReferenceGrid.h"
+#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Checks/ReferenceThreads.h"
+#include "Support/Meshes/ReferenceGrid.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"

@@ -2,10 +2,10 @@
 // The mesh of a flow volume: tetrahedra fit face to face, intervals in Inflow and time fill it
 // without gap or overlap, stream and time surfaces are faces of it, each once and whole, and face
 // against the gradient, as normals do.
-#include "Flows/ReferenceFlowAnswers.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceMesh.h"
+#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkFlowVolume.h"

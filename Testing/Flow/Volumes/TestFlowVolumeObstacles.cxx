@@ -2,14 +2,14 @@
 // Flow volumes behind obstacles that are hidden points, hidden cells or vectors that are no
 // numbers: the volume that uniform flow reaches past the obstacle, against lines through the hidden
 // cells, on images and other grids, with one obstacle, two, and one at the end of the field.
-#include "Flows/ReferenceFlowAnswers.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Checks/ReferenceRandom.h"
-#include "Reference/Checks/ReferenceThreads.h"
-#include "Reference/Flow/ReferenceFlowGrid.h"
-#include "Reference/Flow/ReferenceFlowVolume.h"
-#include "Reference/Meshes/ReferenceMeshing.h"
+#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Checks/ReferenceRandom.h"
+#include "Support/Checks/ReferenceThreads.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
+#include "Support/Flow/ReferenceFlowVolume.h"
+#include "Support/Meshes/ReferenceMeshing.h"
 
 #include "vtkFlowVolume.h"
 #include "vtkImplicitFlowField.h"

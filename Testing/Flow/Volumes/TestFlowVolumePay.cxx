@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A flow volume does what is asked of it and no more: no extraction by what cuts nothing, none
 // again of what has not changed, and no surfaces, normals or copies of points that nobody wants.
-#include "Flows/ReferenceFlowAnswers.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
+#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
 
 #include "vtkDataArray.h"
 #include "vtkFlowVolume.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Flow that comes round to its termination surface again: on which side samples lie and how they
 // leave, which cells a flow volume leaves out for it and which not, and the limit of time jumps.
-#include "Flows/ReferenceFlowAnswers.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Flow/ReferenceFlowGrid.h"
+#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
 
 #include "vtkFlowStatus.h"
 #include "vtkFlowVolume.h"

@@ -2,11 +2,11 @@
 // Nothing is interpolated where an implicit flow field jumps: across a separatrix, from samples
 // with an answer to those without, and over seams that the mapping does not continue over; over
 // seams that it does volumes are whole and parameters unwrapped.
-#include "Flows/ReferenceFlowAnswers.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceLattice.h"
-#include "Reference/Meshes/ReferenceMesh.h"
+#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceLattice.h"
+#include "Support/Meshes/ReferenceMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

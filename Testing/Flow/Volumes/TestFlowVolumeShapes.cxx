@@ -2,10 +2,10 @@
 // Stream volumes, stream surfaces and time surfaces of flows with known streamlines: volumes,
 // areas and fluxes against formulas, with errors that fall with the square of the spacing, on every
 // kind of grid.
-#include "Flows/ReferenceFlowAnswers.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceLattice.h"
+#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceLattice.h"
 
 #include "vtkFlowVolume.h"
 #include "vtkImageData.h"

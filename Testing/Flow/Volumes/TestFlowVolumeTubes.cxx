@@ -3,11 +3,11 @@
 // random places of the same field: below 2 % with as many samples as the field has points, but for
 // tubes narrower than two samples where the flow grazes the ball. There the error is that of
 // interpolation between samples, which falls with their distance.
-#include "Flows/ReferenceFlowAnswers.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceRandom.h"
-#include "Reference/Flow/ReferenceFlowGrid.h"
-#include "Reference/Flow/ReferenceFlowVolume.h"
+#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceRandom.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
+#include "Support/Flow/ReferenceFlowVolume.h"
 
 #include "vtkFlowVolume.h"
 #include "vtkImplicitFlowField.h"

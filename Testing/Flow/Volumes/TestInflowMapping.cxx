@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scalar on termination surfaces at every sample: formulas, rings and images against their
 // definitions, NaN where there is none, what is periodic, wrong settings, and threads.
-#include "Flows/ReferenceFlowAnswers.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceExecution.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Checks/ReferenceThreads.h"
-#include "Reference/Meshes/ReferenceLattice.h"
+#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceExecution.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Checks/ReferenceThreads.h"
+#include "Support/Meshes/ReferenceLattice.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"

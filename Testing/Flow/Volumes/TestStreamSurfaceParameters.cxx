@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Texture coordinates of stream surfaces: lengths along inflow contours against formulas, closed,
 // open and several of them, over seams; triangles never run back; start points, scales and errors.
-#include "Flows/ReferenceFlowAnswers.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Checks/ReferenceThreads.h"
-#include "Reference/Flow/ReferenceContourSurfaces.h"
-#include "Reference/Meshes/ReferenceMeshBuilder.h"
+#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Checks/ReferenceThreads.h"
+#include "Support/Flow/ReferenceContourSurfaces.h"
+#include "Support/Meshes/ReferenceMeshBuilder.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"

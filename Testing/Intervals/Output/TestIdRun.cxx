@@ -2,7 +2,7 @@
 // Ids of cells along a row and multiples, in the cache and past it, against what is asked of each
 // one; points that stay against a loop over their marks; and the volume of so many tetrahedra that
 // they are written past the cache.
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "Output/IdRun.h"
 #include "Output/KeptRuns.h"

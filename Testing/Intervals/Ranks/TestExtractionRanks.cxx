@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Extraction of grids that processes have in pieces, under MPI: the simplices of all processes
 // together are those of one process with all of the grid, to the last bit of their coordinates.
-#include "Inputs/DataFiles.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferencePieceSource.h"
+#include "Support/Inputs/DataFiles.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferencePieceSource.h"
 
 #include "vtkIntervalVolume.h"
 #include "vtkIsotableContour.h"

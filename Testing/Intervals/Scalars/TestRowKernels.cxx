@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The ranges of codes around the cells of a row, against a loop over each cell's corners; codes of
 // values, marks of codes and what is finite, against what is asked of each one.
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "Scalars/RowKernels.h"
 

@@ -2,13 +2,13 @@
 // MergePoints off: the triangles of the shared contour in its order, each with points of its own,
 // with the same coordinates and arrays to the last bit. In every kind of grid and mixture of cells;
 // with ties, NaN, ghost cells, several values, arrays of any kind; for any number of threads.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Checks/ReferenceThreads.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceLattice.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceTransform.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Checks/ReferenceThreads.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceLattice.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceTransform.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -2,7 +2,7 @@
 // The sign of a cell in single precision is that of double precision: for each shape, cells of
 // every size, stretched, far from the origin, and nearly or quite flat.
 #include "Grid/CellOrientation.h"
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkNew.h"
 #include "vtkPoints.h"

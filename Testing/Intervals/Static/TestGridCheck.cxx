@@ -2,10 +2,10 @@
 // What is said of grids whose cells contradict their arrays, with ids of 32 and of 64 bits: the
 // first cell that is wrong, and nothing of a grid that is whole. Every filter says it, of grids
 // from files too.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/TimeVarying/ReferenceTimeVarying.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/TimeVarying/ReferenceTimeVarying.h"
 
 #include "Common/GridCheck.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An execution that gives nothing says why, with what the data have: once for a whole composite
 // input, and not for one dataset or piece of several. The scalar is the active one on what is made.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceMesh.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceMesh.h"
 
 #include "vtkCellType.h"
 #include "vtkCommand.h"

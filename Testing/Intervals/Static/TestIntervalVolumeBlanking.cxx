@@ -2,11 +2,11 @@
 // Ghost, hidden and blanked cells, cells of hidden points, and cells with NaN or infinity are left
 // out and counted; everything else stays.
 #include "Common/DataDigest.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Intervals/ReferenceExtraction.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceLattice.h"
-#include "Reference/Meshes/ReferenceVolume.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Intervals/ReferenceExtraction.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceLattice.h"
+#include "Support/Meshes/ReferenceVolume.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"

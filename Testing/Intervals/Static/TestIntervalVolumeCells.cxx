@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cells of every other kind: quadratic ones are taken by their corners with a warning, those of
 // fewer dimensions and of types without a linear counterpart are left out and counted.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceMeshBuilder.h"
-#include "Reference/Meshes/ReferenceVolume.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceMeshBuilder.h"
+#include "Support/Meshes/ReferenceVolume.h"
 
 #include "vtkExplicitStructuredGrid.h"
 #include "vtkIntervalVolume.h"

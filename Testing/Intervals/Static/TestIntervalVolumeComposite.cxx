@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Composite input gives composite output of the same structure, empty leaves included, with the
 // same simplices as the leaves one by one.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Intervals/ReferenceExtraction.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceLattice.h"
-#include "Reference/Meshes/ReferenceMesh.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Intervals/ReferenceExtraction.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceLattice.h"
+#include "Support/Meshes/ReferenceMesh.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataObjectTree.h"

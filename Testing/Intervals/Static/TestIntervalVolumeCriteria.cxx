@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Criteria on further arrays: the volume where all hold, for linear functions and for any values on
 // tetrahedra; the order of criteria does not matter; several intervals still tile.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceTransform.h"
-#include "Reference/Meshes/ReferenceVolume.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceTransform.h"
+#include "Support/Meshes/ReferenceVolume.h"
 
 #include "vtkCellData.h"
 #include "vtkIntervalVolume.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Two blocks, each with an order of its own of its points, cut the faces between them alike by
 // global ids of any integer type; ids that cannot be used are an error.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Intervals/ReferenceExtraction.h"
-#include "Reference/Meshes/ReferenceBlocks.h"
-#include "Reference/TimeVarying/ReferenceTimeVarying.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Intervals/ReferenceExtraction.h"
+#include "Support/Meshes/ReferenceBlocks.h"
+#include "Support/TimeVarying/ReferenceTimeVarying.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The same lattice as image, rectilinear, structured and unstructured grid gives the same simplices
 // bit for bit.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Intervals/ReferenceExtraction.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceLattice.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Intervals/ReferenceExtraction.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceLattice.h"
 
 #include "vtkImageData.h"
 #include "vtkUnstructuredGrid.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Changed intervals and contour values over the same input give the bytes of a fresh filter and
 // visit fewer cells; a changed input is noticed.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceLattice.h"
-#include "Reference/Meshes/ReferenceMesh.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceLattice.h"
+#include "Support/Meshes/ReferenceMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Several intervals in one pass are the intervals one by one; overlaps, gaps, an interval in
 // another, the same interval twice; values equal to a bound belong to the documented side.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Intervals/ReferenceExtraction.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceTransform.h"
-#include "Reference/Meshes/ReferenceVolume.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Intervals/ReferenceExtraction.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceTransform.h"
+#include "Support/Meshes/ReferenceVolume.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Volumes of linear functions of position: the formula for a box, and clipping in long double for
 // everything else, with intervals inside, across and outside the range.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Intervals/ReferenceExtraction.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceTransform.h"
-#include "Reference/Meshes/ReferenceVolume.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Intervals/ReferenceExtraction.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceTransform.h"
+#include "Support/Meshes/ReferenceVolume.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"

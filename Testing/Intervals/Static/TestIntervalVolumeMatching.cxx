@@ -3,15 +3,15 @@
 // port 1 has what bounds tetrahedra, [a, a] is the cells equal to a throughout, adjacent intervals
 // tile, criteria keep signed volumes. On every volume of 8 bits, and on small whole numbers in
 // every kind of cell.
-#include "Inputs/DataFiles.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Intervals/ReferenceExtraction.h"
-#include "Reference/Intervals/ReferenceMatching.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceTransform.h"
-#include "Reference/Meshes/ReferenceVolume.h"
+#include "Support/Inputs/DataFiles.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Intervals/ReferenceExtraction.h"
+#include "Support/Intervals/ReferenceMatching.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceTransform.h"
+#include "Support/Meshes/ReferenceVolume.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"

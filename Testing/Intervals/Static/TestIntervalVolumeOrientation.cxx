@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How many tetrahedra come out inverted on cells that are not simplices, and how much volume they
 // hold: with random values, the worst case, and with a smooth field. Volumes stay exact.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Intervals/ReferenceExtraction.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceLattice.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceVolume.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Intervals/ReferenceExtraction.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceLattice.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceVolume.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"

@@ -2,9 +2,9 @@
 // What an interval volume says of where its points and cells come from: points on the edges named,
 // at the weights told; cells, and boundary triangles, inside the cells named; and no such arrays
 // where they are not asked for.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceLattice.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceLattice.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Progress is told and never runs backwards, an abort leaves a valid output, and PrintSelf prints
 // every public value.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceLattice.h"
-#include "Reference/Meshes/ReferenceMesh.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceLattice.h"
+#include "Support/Meshes/ReferenceMesh.h"
 
 #include "vtkImageData.h"
 #include "vtkIntervalVolume.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The reference implementations themselves: the meshes are conforming and fill the volume they
 // should, and clipping agrees with the formula for a box cut by a plane.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceBoundary.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceTransform.h"
-#include "Reference/Meshes/ReferenceVolume.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceBoundary.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceTransform.h"
+#include "Support/Meshes/ReferenceVolume.h"
 
 #include "vtkUnstructuredGrid.h"
 

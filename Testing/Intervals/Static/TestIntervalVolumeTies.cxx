@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Adjacent intervals tile the domain where many values equal a bound: edges, faces and whole cells
 // are flat, and simplices collapse.
-#include "Reference/Intervals/ReferenceExtraction.h"
-#include "Reference/Intervals/ReferenceTilingCheck.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceLattice.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceTransform.h"
-#include "Reference/Meshes/ReferenceVolume.h"
+#include "Support/Intervals/ReferenceExtraction.h"
+#include "Support/Intervals/ReferenceTilingCheck.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceLattice.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceTransform.h"
+#include "Support/Meshes/ReferenceVolume.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Adjacent intervals tile the domain: independent random values, so that none equals a bound.
-#include "Reference/Intervals/ReferenceTilingCheck.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceTransform.h"
+#include "Support/Intervals/ReferenceTilingCheck.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceTransform.h"
 
 #include "vtkUnstructuredGrid.h"
 

@@ -2,11 +2,11 @@
 // A filter that is updated again and again, with KeepMemory, has the bytes of a fresh one in every
 // state, whatever changes in between; what others hold of its outputs stays as it is; memory is
 // used again, counted and freed.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceLattice.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceLattice.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

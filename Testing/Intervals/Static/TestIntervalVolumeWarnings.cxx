@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What goes on, but not as it should, is said with the way out: polyhedra that are not seen whole
 // from their middle, and images that single precision collapses.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceMeshBuilder.h"
-#include "Reference/Meshes/ReferenceVolume.h"
-#include "Reference/TimeVarying/ReferenceTimeVarying.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceMeshBuilder.h"
+#include "Support/Meshes/ReferenceVolume.h"
+#include "Support/TimeVarying/ReferenceTimeVarying.h"
 
 #include "vtkAMRBox.h"
 #include "vtkAMRUtilities.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The contour at an interval's bound is the interval's boundary, triangle by triangle; several
 // values in one pass are the values one by one.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Intervals/ReferenceExtraction.h"
-#include "Reference/Meshes/ReferenceBoundary.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceTransform.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Intervals/ReferenceExtraction.h"
+#include "Support/Meshes/ReferenceBoundary.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceTransform.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"

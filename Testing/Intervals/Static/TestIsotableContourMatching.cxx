@@ -2,14 +2,14 @@
 // What is promised of contours where values equal the isovalue: no triangle is there twice or
 // turned over as well, edges match, and the contour bounds the interval above. On every volume of 8
 // bits, and on small whole numbers in every kind of cell.
-#include "Inputs/DataFiles.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Intervals/ReferenceExtraction.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Intervals/ReferenceMatching.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceTransform.h"
+#include "Support/Inputs/DataFiles.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Intervals/ReferenceExtraction.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Intervals/ReferenceMatching.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceTransform.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

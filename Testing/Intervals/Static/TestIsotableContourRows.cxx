@@ -3,10 +3,10 @@
 // of the way for any values, which a second value takes, beyond all. In image data, turned or not,
 // rectilinear and structured grids; with rows of all lengths around those of words, every type of
 // scalars, ties, values that are not finite; with and without an index; for any number of threads.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceThreads.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceLattice.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceThreads.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceLattice.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

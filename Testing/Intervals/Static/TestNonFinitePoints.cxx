@@ -3,13 +3,13 @@
 // which some points have such a coordinate gives the same bytes as one that has NaN in the scalar
 // there.
 #include "Common/DataDigest.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceLattice.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/TimeVarying/ReferenceSimplexGrid.h"
-#include "Reference/TimeVarying/ReferenceTimeVarying.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceLattice.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/TimeVarying/ReferenceSimplexGrid.h"
+#include "Support/TimeVarying/ReferenceTimeVarying.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Arrays that are linear in space and time come out exact, cell arrays are copied, Time is the time
 // of the slice whatever type it had, and 4-simplices read from a file give the same bytes.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/TimeVarying/ReferenceSimplexGrid.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/TimeVarying/ReferenceSimplexGrid.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

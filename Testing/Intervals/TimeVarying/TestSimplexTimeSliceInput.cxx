@@ -2,10 +2,10 @@
 // Wrong input: an error that says what and where, an empty output, and the filter works once it is
 // right. Ghosts and 4-simplices without a finite time are left out; a time outside, or nothing at
 // all, gives nothing and no error. Composite input gives composite output.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceVolume.h"
-#include "Reference/TimeVarying/ReferenceSimplexGrid.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceVolume.h"
+#include "Support/TimeVarying/ReferenceSimplexGrid.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Progress is told and never runs backwards, an abort leaves a valid output, and PrintSelf prints
 // the time.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/TimeVarying/ReferenceSimplexGrid.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceProgress.h"
+#include "Support/TimeVarying/ReferenceSimplexGrid.h"
 
 #include "vtkCellType.h"
 #include "vtkNew.h"

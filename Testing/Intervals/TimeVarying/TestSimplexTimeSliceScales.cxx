@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Times that are 1e9 or 1e-9 apart, or near 1e9, give the slice that times 1 apart give.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceVolume.h"
-#include "Reference/TimeVarying/ReferenceSimplexGrid.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceVolume.h"
+#include "Support/TimeVarying/ReferenceSimplexGrid.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkPointData.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The same bytes for any number of threads, between the levels of a grid and at one of them.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceThreads.h"
-#include "Reference/TimeVarying/ReferenceSimplexGrid.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceThreads.h"
+#include "Support/TimeVarying/ReferenceSimplexGrid.h"
 
 #include "vtkUnstructuredGrid.h"
 

@@ -2,12 +2,12 @@
 // The slices of a triangulated region of space and time have no cracks and no overlap: at any time,
 // and at the region's own time levels, where each tetrahedron is there once, also beside holes, and
 // where the cell array AtStep tells which there are. Pieces with global ids fit together.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceBoundary.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceVolume.h"
-#include "Reference/TimeVarying/ReferenceSimplexGrid.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceBoundary.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceVolume.h"
+#include "Support/TimeVarying/ReferenceSimplexGrid.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The slice of a random 4-simplex has the volume that its M-spline gives, the orientation of the
 // simplex, and covers the slice once; the integral over time is the hypervolume.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceVolume.h"
-#include "Reference/TimeVarying/ReferenceSimplexGrid.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceVolume.h"
+#include "Support/TimeVarying/ReferenceSimplexGrid.h"
 
 #include "vtkDataArray.h"
 #include "vtkIdTypeArray.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Interval volumes of many time steps that are written slab by slab: together the extraction of all
 // steps, in the memory of one slab; stopped, killed and resumed, never with an index of a part.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
 
 #include "vtkAnalyticFieldSource.h"
 #include "vtkTimeSlabWriter.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Point arrays of every type are interpolated in space and time, at thick points too; the arrays
 // that the filter makes have the documented names, types and values; precision of the points.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Meshes/ReferenceVolume.h"
-#include "Reference/TimeVarying/ReferenceSimplices.h"
-#include "Reference/TimeVarying/ReferenceTemporal.h"
-#include "Reference/TimeVarying/ReferenceTimeVarying.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Meshes/ReferenceVolume.h"
+#include "Support/TimeVarying/ReferenceSimplices.h"
+#include "Support/TimeVarying/ReferenceTemporal.h"
+#include "Support/TimeVarying/ReferenceTimeVarying.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"

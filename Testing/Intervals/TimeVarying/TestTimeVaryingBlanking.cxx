@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Ghost, hidden and blanked cells, cells of hidden points, and cells with NaN or infinity at a step
 // are left out of the slabs that the step ends and counted; everything else stays.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceLattice.h"
-#include "Reference/TimeVarying/ReferenceSimplices.h"
-#include "Reference/TimeVarying/ReferenceTimeVarying.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceLattice.h"
+#include "Support/TimeVarying/ReferenceSimplices.h"
+#include "Support/TimeVarying/ReferenceTimeVarying.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The boundaries at the first and last step are the interval volume and its surfaces of that step;
 // each kind is made only when it is asked for.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceVolume.h"
-#include "Reference/TimeVarying/ReferenceSimplices.h"
-#include "Reference/TimeVarying/ReferenceTemporal.h"
-#include "Reference/TimeVarying/ReferenceTimeVarying.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceVolume.h"
+#include "Support/TimeVarying/ReferenceSimplices.h"
+#include "Support/TimeVarying/ReferenceTemporal.h"
+#include "Support/TimeVarying/ReferenceTimeVarying.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

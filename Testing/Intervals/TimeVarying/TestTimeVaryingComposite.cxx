@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Composite steps give composite outputs of the same structure, empty leaves included, with the
 // same simplices as the leaves one by one.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceLattice.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/TimeVarying/ReferenceTemporal.h"
-#include "Reference/TimeVarying/ReferenceTimeVarying.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceLattice.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/TimeVarying/ReferenceTemporal.h"
+#include "Support/TimeVarying/ReferenceTimeVarying.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataObjectTree.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The sum of DeltaT over the tetrahedra that hold a point of space is the time that the function is
 // in the interval there.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/TimeVarying/ReferenceSimplices.h"
-#include "Reference/TimeVarying/ReferenceSpaceTime.h"
-#include "Reference/TimeVarying/ReferenceTimeVarying.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/TimeVarying/ReferenceSimplices.h"
+#include "Support/TimeVarying/ReferenceSpaceTime.h"
+#include "Support/TimeVarying/ReferenceTimeVarying.h"
 
 #include "vtkDataSet.h"
 #include "vtkUnstructuredGrid.h"

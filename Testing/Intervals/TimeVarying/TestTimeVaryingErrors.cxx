@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Wrong steps and wrong settings: an error that says what and names the step, outputs that are
 // empty, and the filter works again once they are right.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceMessages.h"
-#include "Reference/Meshes/ReferenceLattice.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceTransform.h"
-#include "Reference/TimeVarying/ReferenceTemporal.h"
-#include "Reference/TimeVarying/ReferenceTimeVarying.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Meshes/ReferenceLattice.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceTransform.h"
+#include "Support/TimeVarying/ReferenceTemporal.h"
+#include "Support/TimeVarying/ReferenceTimeVarying.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

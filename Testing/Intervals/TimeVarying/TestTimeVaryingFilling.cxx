@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Adjacent intervals fill the domain in space and time without cracks, on every grid, standing and
 // moving, over several slabs: independent random values, so that none equals a bound.
-#include "Reference/TimeVarying/ReferenceFilling.h"
+#include "Support/TimeVarying/ReferenceFilling.h"
 
 #include "vtkDataSet.h"
 #include "vtkPointSet.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The same lattice as image, rectilinear, structured and unstructured grid gives the same
 // 4-simplices, tetrahedra and boundaries.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceLattice.h"
-#include "Reference/TimeVarying/ReferenceTimeVarying.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceLattice.h"
+#include "Support/TimeVarying/ReferenceTimeVarying.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

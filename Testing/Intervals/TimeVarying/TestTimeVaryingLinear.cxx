@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Functions linear in space and time: the hypervolume is exact on every grid, standing and moving,
 // along every direction of projection. On tetrahedra also functions linear in each.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/TimeVarying/ReferenceSimplices.h"
-#include "Reference/TimeVarying/ReferenceSpaceTime.h"
-#include "Reference/TimeVarying/ReferenceTimeVarying.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/TimeVarying/ReferenceSimplices.h"
+#include "Support/TimeVarying/ReferenceSpaceTime.h"
+#include "Support/TimeVarying/ReferenceTimeVarying.h"
 
 #include "vtkDataSet.h"
 #include "vtkPointSet.h"

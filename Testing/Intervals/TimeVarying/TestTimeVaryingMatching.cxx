@@ -3,10 +3,10 @@
 // orientation of their faces over all slabs, boundaries have what bounds them, and the slice at a
 // step is the interval volume of that step, tetrahedron by tetrahedron. Upper bounds are shared, so
 // that a value equal to one is outside, and not shared, so that it is inside.
-#include "Inputs/DataFiles.h"
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Intervals/ReferenceMatching.h"
-#include "Reference/TimeVarying/ReferenceTimeSteps.h"
+#include "Support/Inputs/DataFiles.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Intervals/ReferenceMatching.h"
+#include "Support/TimeVarying/ReferenceTimeSteps.h"
 
 #include "vtkDataSet.h"
 #include "vtkImageData.h"

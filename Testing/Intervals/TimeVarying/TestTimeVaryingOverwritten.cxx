@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A source that writes every step into the same array gives what one with an array a step gives,
 // whether it says that the array has changed or not.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/TimeVarying/ReferenceTimeVarying.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/TimeVarying/ReferenceTimeVarying.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"

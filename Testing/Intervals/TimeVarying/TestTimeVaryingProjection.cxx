@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A 4-simplex projected to space and cut into tetrahedra, against exact arithmetic: its class, the
 // number of tetrahedra, its hypervolume, and how long it lasts at points of space.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceExact.h"
-#include "Reference/Meshes/ReferenceVolume.h"
-#include "Reference/TimeVarying/ReferenceSpaceTime.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceExact.h"
+#include "Support/Meshes/ReferenceVolume.h"
+#include "Support/TimeVarying/ReferenceSpaceTime.h"
 
 #include "TimeVarying/SimplexProjection.h"
 

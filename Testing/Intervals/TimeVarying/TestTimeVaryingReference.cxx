@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The references of the tests of time-varying interval volumes against numbers that are known.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceExact.h"
-#include "Reference/Meshes/ReferenceField.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceVolume.h"
-#include "Reference/TimeVarying/ReferenceSimplices.h"
-#include "Reference/TimeVarying/ReferenceSpaceTime.h"
-#include "Reference/TimeVarying/ReferenceTemporal.h"
-#include "Reference/TimeVarying/ReferenceTimeSteps.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceExact.h"
+#include "Support/Meshes/ReferenceField.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceVolume.h"
+#include "Support/TimeVarying/ReferenceSimplices.h"
+#include "Support/TimeVarying/ReferenceSpaceTime.h"
+#include "Support/TimeVarying/ReferenceTemporal.h"
+#include "Support/TimeVarying/ReferenceTimeSteps.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

@@ -2,12 +2,12 @@
 // Slices of the 4-simplices: at a time step the interval volume of that step, whatever values equal
 // bounds; adjacent intervals tile the domain at steps, close to them and between; exact between
 // steps for functions linear in space and time, and of second order in the step for a smooth one.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Meshes/ReferenceGrid.h"
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/Meshes/ReferenceVolume.h"
-#include "Reference/TimeVarying/ReferenceSimplexGrid.h"
-#include "Reference/TimeVarying/ReferenceTimeVarying.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Meshes/ReferenceGrid.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/Meshes/ReferenceVolume.h"
+#include "Support/TimeVarying/ReferenceSimplexGrid.h"
+#include "Support/TimeVarying/ReferenceTimeVarying.h"
 
 #include "vtkDataSet.h"
 #include "vtkPointSet.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every 4-simplex by itself: the tetrahedra it is cut into have its hypervolume, share one thick
 // point, and are as many as its class says. Also the classes that occur along time and across it.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/TimeVarying/ReferenceSimplices.h"
-#include "Reference/TimeVarying/ReferenceTimeVarying.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/TimeVarying/ReferenceSimplices.h"
+#include "Support/TimeVarying/ReferenceTimeVarying.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

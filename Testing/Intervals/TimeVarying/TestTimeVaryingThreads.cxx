@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The same bytes for 1, 2 and 8 threads and every backend.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceThreads.h"
-#include "Reference/TimeVarying/ReferenceTimeVarying.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceThreads.h"
+#include "Support/TimeVarying/ReferenceTimeVarying.h"
 
 #include "vtkDataSet.h"
 #include "vtkUnstructuredGrid.h"

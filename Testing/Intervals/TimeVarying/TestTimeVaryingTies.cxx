@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Values equal to the bounds, whole cells and slabs of them: adjacent intervals still fill the
 // domain in space and time, and each part of it once.
-#include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/TimeVarying/ReferenceFilling.h"
-#include "Reference/TimeVarying/ReferenceSimplices.h"
-#include "Reference/TimeVarying/ReferenceSpaceTime.h"
-#include "Reference/TimeVarying/ReferenceTimeVarying.h"
+#include "Support/Meshes/ReferenceMesh.h"
+#include "Support/TimeVarying/ReferenceFilling.h"
+#include "Support/TimeVarying/ReferenceSimplices.h"
+#include "Support/TimeVarying/ReferenceSpaceTime.h"
+#include "Support/TimeVarying/ReferenceTimeVarying.h"
 
 #include "vtkUnstructuredGrid.h"
 

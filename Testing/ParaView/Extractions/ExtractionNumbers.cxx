@@ -5,7 +5,7 @@
 // The plugin is asked the same and must give the same. The legacy format, since ParaView 5.11 of
 // Debian cannot read appended XML data with an expat that defers parsing (2.6, and 2.5 with that
 // fix).
-#include "Inputs/DataFiles.h"
+#include "Support/Inputs/DataFiles.h"
 #include "ParaView/Extractions/ExtractionMeasures.h"
 #include "ParaView/Extractions/FlowNumbers.h"
 #include "ParaView/Extractions/PieceWriter.h"

@@ -3,7 +3,7 @@
 // pictures (what was extracted from which data or source, how it was drawn, from where), and each
 // picture as `<name>.png`. ParaView is asked the same and must draw the same. The data are those
 // that ExtractionNumbers leaves there.
-#include "Inputs/DataFiles.h"
+#include "Support/Inputs/DataFiles.h"
 #include "ParaView/Extractions/FlowExtraction.h"
 #include "ParaView/Extractions/PictureStage.h"
 #include "ParaView/Extractions/TimeVaryingExtraction.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scattering/Solver/SeenLight.h"
 
-#include "Reference/Checks/ReferenceRandom.h"
+#include "Support/Checks/ReferenceRandom.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

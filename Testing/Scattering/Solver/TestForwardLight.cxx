@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mode FORWARD: a pencil of light spreads by multiple scattering at small angles as theory has it,
 // whatever the layers; its sum is that of the equation in one dimension.
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "Scattering/Solver/ScatteringCases.h"
 
 #include "Scattering/ForwardLight.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Phase functions: normalised, with the moments of their formulas, and what is wrong said.
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "Scattering/PhaseFunction.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mode FULL neither gains nor loses energy, whatever the settings; in a furnace it is as bright as
 // what is around; the same bytes for any number of threads; what BackwardLayers cuts off.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceRandom.h"
-#include "Reference/Checks/ReferenceThreads.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceRandom.h"
+#include "Support/Checks/ReferenceThreads.h"
 #include "Scattering/Solver/ScatteringCases.h"
 
 #include "vtkSMPTools.h"

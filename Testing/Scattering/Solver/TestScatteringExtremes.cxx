@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Extremes of media and lights for the solver of multiple scattering, each by its name.
-#include "Pages/StabilityCase.h"
+#include "Support/Pages/StabilityCase.h"
 #include "Scattering/Solver/ScatteringCases.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // Reflection and transmission of slabs against the numbers of H. C. van de Hulst, Multiple Light
 // Scattering, 1980, tables 12, 35 and 37, for single scattering and both modes. The field is looked
 // at as an eye does, and integrated over all directions.
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 #include "Scattering/Solver/ScatteringCases.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Eyes around a medium see no more light than matter takes from the lights, whatever the settings.
-#include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceRandom.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceRandom.h"
 #include "Scattering/Solver/ScatteringCases.h"
 #include "Scattering/Solver/SeenLight.h"
 

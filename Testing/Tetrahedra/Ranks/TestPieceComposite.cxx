@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Layers of several processes over each other, in any order of the processes, are what one process
 // composites of all of them.
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "Pieces/PieceExchange.h"
 

@@ -2,7 +2,7 @@
 #ifndef FinerPicture_h
 #define FinerPicture_h
 
-#include "Pictures/RgbaPicture.h"
+#include "Support/Pictures/RgbaPicture.h"
 
 namespace approximations
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Approximations/FilterFamilies.h"
-#include "Flows/ReferenceFlowAnswers.h"
+#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
 
 #include "vtkFlowCriticalPoints.h"
 #include "vtkFlowVolume.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Approximations/FinerPicture.h"
 #include "Benchmarks/Approximations/PictureFamilies.h"
-#include "Pictures/FlowPictures.h"
-#include "Pictures/PictureSettings.h"
-#include "Pictures/VolumeStage.h"
+#include "Support/Pictures/FlowPictures.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/VolumeStage.h"
 
 #include "vtkImplicitFlowVolumeMapper.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Approximations/FilterFamilies.h"
-#include "Flows/ReferenceNoise.h"
+#include "Support/AnalyticFlows/ReferenceNoise.h"
 
 #include "vtkFlowLIC.h"
 

@@ -3,7 +3,7 @@
 #include "Benchmarks/Approximations/PictureFamilies.h"
 #include "Benchmarks/Shadows/ShadowsMethods.h"
 #include "Benchmarks/Shadows/ShadowsScene.h"
-#include "Pictures/ReferenceShadowPicture.h"
+#include "Support/Pictures/ReferenceShadowPicture.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Approximations/PictureFamilies.h"
-#include "Pictures/VolumeStage.h"
+#include "Support/Pictures/VolumeStage.h"
 
 #include "vtkStreamlineTexture.h"
 

@@ -2,7 +2,7 @@
 #include "Benchmarks/Approximations/PictureFamilies.h"
 #include "Benchmarks/Tetrahedra/TetrahedraMethods.h"
 #include "Benchmarks/Tetrahedra/TetrahedraScene.h"
-#include "Pictures/ReferenceVolumePicture.h"
+#include "Support/Pictures/ReferenceVolumePicture.h"
 
 #include "vtkNew.h"
 #include "vtkPoints.h"

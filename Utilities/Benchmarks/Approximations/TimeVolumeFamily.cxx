@@ -4,9 +4,9 @@
 #include "Benchmarks/Data/MovingFields.h"
 #include "Benchmarks/Intervals/ExtractionMethods.h"
 #include "Benchmarks/SpaceTime/Interval4dCases.h"
-#include "Pictures/PictureSettings.h"
-#include "Pictures/ReferenceRay.h"
-#include "Pictures/VolumeStage.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/ReferenceRay.h"
+#include "Support/Pictures/VolumeStage.h"
 
 #include "vtkTimeVaryingIntervalVolume.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"

@@ -4,7 +4,7 @@
 #include "Benchmarks/Flow/FlowDisc.h"
 #include "Benchmarks/Measures/BenchTiming.h"
 
-#include "Flows/ReferenceFlowAnswers.h"
+#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
 
 #include "vtkAnalyticFlowSource.h"
 #include "vtkFlowVolume.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Flow/FlowFields.h"
 
-#include "Flows/ReferenceFlowMaps.h"
+#include "Support/AnalyticFlows/ReferenceFlowMaps.h"
 
 #include "vtkImageData.h"
 

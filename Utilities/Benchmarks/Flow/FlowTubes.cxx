@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Flow/FlowTubes.h"
 
-#include "Flows/ReferenceFlow.h"
-#include "Flows/ReferenceFlowMaps.h"
+#include "Support/AnalyticFlows/ReferenceFlow.h"
+#include "Support/AnalyticFlows/ReferenceFlowMaps.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Results/SpeedPlots.h"
 #include "Benchmarks/Suites/BenchSuites.h"
-#include "Pictures/PictureSettings.h"
-#include "Pictures/VolumeStage.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/VolumeStage.h"
 
 #include "vtkAnalyticFlowSource.h"
 #include "vtkCamera.h"

@@ -4,7 +4,7 @@
 #include "Benchmarks/Data/BenchData.h"
 #include "Benchmarks/Intervals/ExtractionMethods.h"
 #include "Benchmarks/Measures/BenchTiming.h"
-#include "Inputs/DataFiles.h"
+#include "Support/Inputs/DataFiles.h"
 
 #include "vtkIntervalVolume.h"
 

@@ -2,7 +2,7 @@
 #ifndef PictureEdges_h
 #define PictureEdges_h
 
-#include "Pictures/RgbaPicture.h"
+#include "Support/Pictures/RgbaPicture.h"
 
 /**
  * How far edges of a picture are from their places, in pixels along its rows.

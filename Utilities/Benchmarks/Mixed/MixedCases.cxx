@@ -2,7 +2,7 @@
 #include "Benchmarks/Mixed/MixedCases.h"
 
 #include "Benchmarks/Shadows/ShadowsScene.h"
-#include "Pictures/ShadowCases.h"
+#include "Support/Pictures/ShadowCases.h"
 
 #include "vtkCubeSource.h"
 #include "vtkMath.h"

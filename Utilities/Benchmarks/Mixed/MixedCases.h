@@ -2,7 +2,7 @@
 #ifndef MixedCases_h
 #define MixedCases_h
 
-#include "Pictures/MixedScene.h"
+#include "Support/Pictures/MixedScene.h"
 
 #include <string>
 #include <vector>

@@ -3,9 +3,9 @@
 #define MixedDrawing_h
 
 #include "Benchmarks/Measures/BenchTiming.h"
-#include "Pictures/MixedScene.h"
-#include "Pictures/RgbaPicture.h"
-#include "Pictures/VolumeStage.h"
+#include "Support/Pictures/MixedScene.h"
+#include "Support/Pictures/RgbaPicture.h"
+#include "Support/Pictures/VolumeStage.h"
 
 #include "vtkShadowedScenePass.h"
 #include "vtkShadowedSliceMapper.h"

@@ -4,7 +4,7 @@
 #include "Benchmarks/Measures/PictureEdges.h"
 #include "Benchmarks/Mixed/MixedCases.h"
 #include "Benchmarks/Mixed/MixedDrawing.h"
-#include "Pictures/ReferenceMixedPicture.h"
+#include "Support/Pictures/ReferenceMixedPicture.h"
 
 namespace mixed
 {

@@ -3,8 +3,8 @@
 
 #include "Benchmarks/Mixed/MixedCases.h"
 #include "Benchmarks/Mixed/MixedDrawing.h"
-#include "Pictures/LightPoints.h"
-#include "Pictures/ReferenceMixedPicture.h"
+#include "Support/Pictures/LightPoints.h"
+#include "Support/Pictures/ReferenceMixedPicture.h"
 
 #include "vtkAreaLight.h"
 #include "vtkMath.h"

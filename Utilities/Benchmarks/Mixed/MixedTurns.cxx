@@ -3,7 +3,7 @@
 
 #include "Benchmarks/Mixed/MixedCases.h"
 #include "Benchmarks/Mixed/MixedDrawing.h"
-#include "Pictures/PictureTurn.h"
+#include "Support/Pictures/PictureTurn.h"
 
 #include "vtkCamera.h"
 #include "vtkLight.h"

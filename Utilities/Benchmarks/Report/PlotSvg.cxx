@@ -2,7 +2,7 @@
 #include "Benchmarks/Report/PlotSvg.h"
 
 #include "Benchmarks/Results/ErrorFront.h"
-#include "Pages/HtmlText.h"
+#include "Support/Pages/HtmlText.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "Benchmarks/Costs/CostRows.h"
 #include "Benchmarks/Results/BenchMachine.h"
-#include "Pages/HtmlText.h"
+#include "Support/Pages/HtmlText.h"
 
 #include <algorithm>
 #include <fstream>

@@ -5,7 +5,7 @@
 #include "Benchmarks/Results/BenchClaim.h"
 #include "Benchmarks/Results/BenchPlot.h"
 #include "Benchmarks/Results/BenchRow.h"
-#include "Pages/StabilityCase.h"
+#include "Support/Pages/StabilityCase.h"
 
 #include <string>
 #include <vector>

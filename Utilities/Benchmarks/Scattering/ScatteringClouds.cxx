@@ -2,8 +2,8 @@
 #include "Benchmarks/Scattering/ScatteringParts.h"
 
 #include "Benchmarks/Scattering/ScatteringModes.h"
-#include "Transport/CloudCase.h"
-#include "Transport/SceneTransport.h"
+#include "Support/Transport/CloudCase.h"
+#include "Support/Transport/SceneTransport.h"
 
 #include <algorithm>
 #include <cmath>

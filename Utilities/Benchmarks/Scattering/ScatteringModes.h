@@ -4,7 +4,7 @@
 
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Shadows/ShadowsMethods.h"
-#include "Pictures/ShadowScene.h"
+#include "Support/Pictures/ShadowScene.h"
 
 #include <functional>
 #include <string>

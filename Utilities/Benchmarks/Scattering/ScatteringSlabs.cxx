@@ -2,7 +2,7 @@
 #include "Benchmarks/Scattering/ScatteringParts.h"
 
 #include "Benchmarks/Scattering/SlabDrawing.h"
-#include "Transport/SlabTransport.h"
+#include "Support/Transport/SlabTransport.h"
 
 #include <algorithm>
 #include <cmath>

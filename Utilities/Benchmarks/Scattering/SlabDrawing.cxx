@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Scattering/SlabDrawing.h"
 
-#include "Pictures/PictureSettings.h"
-#include "Pictures/ShadowCases.h"
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/ShadowCases.h"
 
 #include "vtkCamera.h"
 #include "vtkLight.h"

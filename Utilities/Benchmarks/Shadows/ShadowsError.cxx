@@ -5,7 +5,7 @@
 #include "Benchmarks/Shadows/GpuShadows.h"
 #include "Benchmarks/Shadows/ShadowsMethods.h"
 #include "Benchmarks/Shadows/ShadowsScene.h"
-#include "Pictures/ReferenceShadowPicture.h"
+#include "Support/Pictures/ReferenceShadowPicture.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"

@@ -4,8 +4,8 @@
 
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Results/BenchRow.h"
-#include "Pictures/ShadowScene.h"
-#include "Pictures/VolumeStage.h"
+#include "Support/Pictures/ShadowScene.h"
+#include "Support/Pictures/VolumeStage.h"
 
 #include "vtkShadowedSliceMapper.h"
 #include "vtkNew.h"

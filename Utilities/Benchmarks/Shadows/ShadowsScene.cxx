@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Shadows/ShadowsScene.h"
 
-#include "Inputs/DataFiles.h"
+#include "Support/Inputs/DataFiles.h"
 
 #include "vtkConstructiveModels.h"
 #include "vtkConstructiveVolume.h"

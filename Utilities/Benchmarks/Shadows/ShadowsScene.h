@@ -2,7 +2,7 @@
 #ifndef ShadowsScene_h
 #define ShadowsScene_h
 
-#include "Pictures/ShadowScene.h"
+#include "Support/Pictures/ShadowScene.h"
 
 #include <string>
 #include <vector>

@@ -2,10 +2,10 @@
 #include "Benchmarks/Shadows/ShadowsParts.h"
 
 #include "Benchmarks/Measures/BenchTiming.h"
-#include "Pictures/ReferenceShadowPicture.h"
+#include "Support/Pictures/ReferenceShadowPicture.h"
 #include "Benchmarks/Shadows/ShadowsMethods.h"
 #include "Benchmarks/Shadows/ShadowsScene.h"
-#include "Pictures/SurfaceCases.h"
+#include "Support/Pictures/SurfaceCases.h"
 
 #include "vtkImageData.h"
 

@@ -2,8 +2,8 @@
 #include "Benchmarks/SpaceTime/Interval4dCases.h"
 
 #include "Benchmarks/Data/BenchData.h"
-#include "Inputs/DataFiles.h"
-#include "Inputs/ExodusTimeSource.h"
+#include "Support/Inputs/DataFiles.h"
+#include "Support/Inputs/ExodusTimeSource.h"
 
 #include "vtkTimeVaryingIntervalVolume.h"
 

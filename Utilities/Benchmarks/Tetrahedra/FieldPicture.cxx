@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Tetrahedra/FieldPicture.h"
 
-#include "Pictures/ReferenceFunction.h"
-#include "Pictures/ReferenceRay.h"
+#include "Support/Pictures/ReferenceFunction.h"
+#include "Support/Pictures/ReferenceRay.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"

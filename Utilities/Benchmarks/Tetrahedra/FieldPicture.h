@@ -2,7 +2,7 @@
 #ifndef FieldPicture_h
 #define FieldPicture_h
 
-#include "Pictures/RgbaPicture.h"
+#include "Support/Pictures/RgbaPicture.h"
 
 #include "vtkCamera.h"
 #include "vtkVolumeProperty.h"

@@ -3,7 +3,7 @@
 #define TetrahedraScene_h
 
 #include "Benchmarks/Measures/BenchTiming.h"
-#include "Pictures/VolumeStage.h"
+#include "Support/Pictures/VolumeStage.h"
 
 #include "vtkCamera.h"
 #include "vtkSmartPointer.h"

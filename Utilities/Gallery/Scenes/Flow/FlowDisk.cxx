@@ -9,7 +9,7 @@
 #include "Gallery/Scenes/Flow/TexturedSurface.h"
 #include "Gallery/Stage.h"
 #include "Gallery/Volumes.h"
-#include "Inputs/DataFiles.h"
+#include "Support/Inputs/DataFiles.h"
 
 #include "vtkActor.h"
 #include "vtkColorTransferFunction.h"

@@ -10,7 +10,7 @@
 #include "Gallery/Scenes/Flow/InflowPaint.h"
 #include "Gallery/Stage.h"
 #include "Gallery/Volumes.h"
-#include "Inputs/DataFiles.h"
+#include "Support/Inputs/DataFiles.h"
 
 #include "vtkActor.h"
 #include "vtkAppendFilter.h"

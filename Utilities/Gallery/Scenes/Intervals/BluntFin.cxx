@@ -3,7 +3,7 @@
 
 #include "Gallery/Look.h"
 #include "Gallery/Props.h"
-#include "Inputs/DataFiles.h"
+#include "Support/Inputs/DataFiles.h"
 
 #include "vtkActor.h"
 #include "vtkAppendPolyData.h"

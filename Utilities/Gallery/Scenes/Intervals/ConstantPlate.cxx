@@ -6,8 +6,8 @@
 #include "Gallery/Stage.h"
 #include "Gallery/Volumes.h"
 
-#include "Pictures/HypercubePlate.h"
-#include "Pictures/VolumeStage.h"
+#include "Support/Pictures/HypercubePlate.h"
+#include "Support/Pictures/VolumeStage.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCamera.h"

@@ -6,7 +6,7 @@
 #include "Gallery/Scene.h"
 #include "Gallery/Stage.h"
 #include "Gallery/Volumes.h"
-#include "Inputs/DataFiles.h"
+#include "Support/Inputs/DataFiles.h"
 
 #include "vtkImageData.h"
 #include "vtkIntervalVolume.h"

@@ -5,7 +5,7 @@
 #include "Gallery/Scene.h"
 #include "Gallery/Stage.h"
 #include "Gallery/Volumes.h"
-#include "Inputs/DataFiles.h"
+#include "Support/Inputs/DataFiles.h"
 
 #include "vtkDataSet.h"
 #include "vtkIntervalVolume.h"

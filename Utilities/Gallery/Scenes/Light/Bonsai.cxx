@@ -2,7 +2,7 @@
 #include "Gallery/Scenes/Light/Bonsai.h"
 
 #include "Gallery/Scenes/Light/ShadowScene.h"
-#include "Inputs/DataFiles.h"
+#include "Support/Inputs/DataFiles.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkExtractVOI.h"

@@ -4,7 +4,7 @@
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/ShadowScene.h"
 #include "Gallery/Stage.h"
-#include "Inputs/DataFiles.h"
+#include "Support/Inputs/DataFiles.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkImageData.h"

@@ -3,7 +3,7 @@
 
 #include "Gallery/Panel.h"
 #include "Gallery/Scenes/Light/ShadowScene.h"
-#include "Inputs/Clouds.h"
+#include "Support/Inputs/Clouds.h"
 
 #include "vtkImageData.h"
 #include "vtkLight.h"

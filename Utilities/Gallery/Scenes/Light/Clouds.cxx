@@ -5,7 +5,7 @@
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/CloudScene.h"
 #include "Gallery/Stage.h"
-#include "Inputs/Clouds.h"
+#include "Support/Inputs/Clouds.h"
 
 #include "vtkImageData.h"
 #include "vtkLight.h"

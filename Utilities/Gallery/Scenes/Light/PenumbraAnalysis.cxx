@@ -6,8 +6,8 @@
 #include "Gallery/Panel.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Stage.h"
-#include "Pictures/HalfPlane.h"
-#include "Pictures/VolumeStage.h"
+#include "Support/Pictures/HalfPlane.h"
+#include "Support/Pictures/VolumeStage.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"

@@ -6,7 +6,7 @@
 #include "Gallery/Scenes/Light/CloudScene.h"
 #include "Gallery/Scenes/Light/ShadowScene.h"
 #include "Gallery/Stage.h"
-#include "Inputs/DataFiles.h"
+#include "Support/Inputs/DataFiles.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataSet.h"

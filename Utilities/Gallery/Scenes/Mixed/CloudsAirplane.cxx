@@ -7,7 +7,7 @@
 #include "Gallery/Scenes/Light/ShadowScene.h"
 #include "Gallery/Scenes/Mixed/ModelActors.h"
 #include "Gallery/Stage.h"
-#include "Inputs/Clouds.h"
+#include "Support/Inputs/Clouds.h"
 
 #include "vtkImageData.h"
 #include "vtkLight.h"

@@ -2,7 +2,7 @@
 #ifndef ModelActors_h
 #define ModelActors_h
 
-#include "Inputs/Models.h"
+#include "Support/Inputs/Models.h"
 
 /**
  * Models of polygons on stage.

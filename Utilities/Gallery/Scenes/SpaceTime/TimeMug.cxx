@@ -7,8 +7,8 @@
 #include "Gallery/Stage.h"
 #include "Gallery/TimePanel.h"
 #include "Gallery/Volumes.h"
-#include "Inputs/DataFiles.h"
-#include "Inputs/ExodusTimeSource.h"
+#include "Support/Inputs/DataFiles.h"
+#include "Support/Inputs/ExodusTimeSource.h"
 
 #include "vtkActor.h"
 #include "vtkColorTransferFunction.h"

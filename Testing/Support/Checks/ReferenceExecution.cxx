@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Support/Checks/ReferenceExecution.h"
+
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Checks/ReferenceProgress.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataSet.h"
+
+#include <thread> // for what the machine has
+
+namespace reference
+{
+
+namespace
+{
+
+vtkDataSet* GetOutput(vtkAlgorithm* filter)
+{
+  return vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+}
+
+}
+
+void ForThreads(const std::string& name, const std::function<void()>& run, Check& check)
+{
+  int backends = 0;
+  for (const char* backend : GetBackends())
+  {
+    if (!vtkSMPTools::SetBackend(backend))
+    {
+      continue;
+    }
+    ++backends;
+    for (const int threads : { 1, 2, 8 })
+    {
+      check.SetContext(name + ", " + backend + ", " + std::to_string(threads) + " threads");
+      SetThreads(threads);
+      const bool isAlone = threads == 1 || std::string(backend) == "Sequential" ||
+        std::thread::hardware_concurrency() == 1;
+      check.That(
+        HasThreads(isAlone) != isAlone, isAlone ? "there is one thread" : "there are threads");
+      run();
+    }
+  }
+  check.That(backends >= 2, "there is a backend with threads");
+}
+
+void CheckAborts(vtkAlgorithm* filter, std::size_t events, const std::vector<double>& times,
+  const std::function<std::string()>& update, Check& check)
+{
+  ProgressWatch watch;
+  const unsigned long observer = Observe(filter, watch);
+  filter->Modified();
+  const std::string whole = update();
+  check.That(!whole.empty() && GetOutput(filter)->GetNumberOfPoints() > 0, "there is output");
+  CheckGrowth(watch, events, check);
+  for (const double at : times)
+  {
+    watch = ProgressWatch();
+    watch.AbortAt = at;
+    filter->Modified();
+    update();
+    check.Equal(GetOutput(filter)->GetNumberOfPoints(), 0, "points after an abort");
+    check.Equal(GetOutput(filter)->GetNumberOfCells(), 0, "cells after an abort");
+    watch = ProgressWatch();
+    filter->SetAbortExecute(0);
+    filter->Modified();
+    check.That(update() == whole, "the same once it is taken back");
+  }
+  filter->RemoveObserver(observer);
+}
+
+void CheckError(vtkAlgorithm* filter, const std::string& message, Check& check)
+{
+  const std::string found = MessagesOf(filter);
+  check.That(found.find(message) != std::string::npos, "\"" + message + "\" in \"" + found + "\"");
+  vtkDataSet* output = GetOutput(filter);
+  check.That(!output || output->GetNumberOfPoints() == 0, "empty output after: " + message);
+}
+
+}

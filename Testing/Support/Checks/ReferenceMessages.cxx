@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Support/Checks/ReferenceMessages.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkDataSet.h"
+#include "vtkExecutive.h"
+#include "vtkNew.h"
+#include "vtkTestErrorObserver.h"
+
+#include <iostream>
+
+std::string reference::MessagesOf(vtkAlgorithm* filter)
+{
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::ErrorEvent, observer);
+  filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
+  filter->Update();
+  filter->RemoveObserver(observer);
+  filter->GetExecutive()->RemoveObserver(observer);
+  return observer->GetErrorMessage();
+}
+
+std::string reference::WarningsOf(vtkAlgorithm* filter)
+{
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::WarningEvent, observer);
+  filter->Update();
+  filter->RemoveObserver(observer);
+  return observer->GetWarningMessage();
+}
+
+void reference::UpdateWatched(vtkAlgorithm* filter)
+{
+  const std::string warnings = WarningsOf(filter);
+  const bool isSaid = warnings.find("The output is empty: ") != std::string::npos;
+  const bool isOnlySaid = isSaid && warnings.find("Warning:", 1) == std::string::npos;
+  auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  const bool isEmpty = output && output->GetNumberOfCells() == 0;
+  if (isEmpty != isSaid || (!warnings.empty() && !isOnlySaid))
+  {
+    std::cerr << " WARN| an output " << (isEmpty ? "without cells" : "with cells")
+              << " and the warnings: " << warnings << "\n";
+  }
+}
+
+void reference::ExpectWarnings(vtkAlgorithm* filter)
+{
+  vtkNew<vtkCallbackCommand> nothing;
+  filter->AddObserver(vtkCommand::WarningEvent, nothing);
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Support/Checks/ReferenceProgress.h"
+
+#include "Support/Meshes/ReferenceGrid.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace reference
+{
+
+namespace
+{
+
+void OnProgress(vtkObject* caller, unsigned long, void* client, void* data)
+{
+  auto* watch = static_cast<ProgressWatch*>(client);
+  watch->Progress.push_back(*static_cast<double*>(data));
+  if (watch->Progress.back() >= watch->AbortAt || watch->Progress.size() > watch->AbortAfter)
+  {
+    vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+  }
+}
+
+}
+
+unsigned long Observe(vtkAlgorithm* filter, ProgressWatch& watch)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(OnProgress);
+  command->SetClientData(&watch);
+  return filter->AddObserver(vtkCommand::ProgressEvent, command);
+}
+
+void CheckGrowth(const ProgressWatch& watch, std::size_t times, Check& check)
+{
+  const std::vector<double>& progress = watch.Progress;
+  check.That(
+    progress.size() >= times, "progress is told at least " + std::to_string(times) + " times");
+  check.That(std::is_sorted(progress.begin(), progress.end()), "progress grows");
+  check.That(!progress.empty() && progress.front() >= 0 && progress.back() <= 1,
+    "progress is between 0 and 1");
+}
+
+void CheckProgress(
+  vtkUnstructuredGridAlgorithm* filter, vtkDataObject* data, int type, Check& check)
+{
+  filter->SetInputDataObject(data);
+  ProgressWatch watch;
+  Observe(filter, watch);
+  filter->Update();
+  vtkNew<vtkUnstructuredGrid> whole;
+  whole->DeepCopy(filter->GetOutput());
+  check.That(whole->GetNumberOfCells() > 0, "there is output");
+  CheckGrowth(watch, 3, check);
+
+  for (double at : { 0.0, 0.3, 0.6, 0.9 })
+  {
+    watch = ProgressWatch();
+    watch.AbortAt = at;
+    filter->Modified();
+    filter->Update();
+    check.That(IsValid(filter->GetOutput(), type), "an aborted output is valid");
+    const bool isEmpty = filter->GetOutput()->GetNumberOfCells() == 0;
+    check.That(isEmpty || FindDifference(filter->GetOutput(), whole).empty(), "and empty or whole");
+    check.That(at > 0 || isEmpty, "aborted at once, the output is empty");
+  }
+  watch = ProgressWatch();
+  filter->SetAbortExecute(0);
+  filter->Modified();
+  filter->Update();
+  check.That(FindDifference(filter->GetOutput(), whole).empty(), "the same once it is taken back");
+}
+
+std::string Print(vtkObject* object)
+{
+  std::ostringstream text;
+  object->Print(text);
+  return text.str();
+}
+
+void CheckPrinted(const std::string& text, const std::vector<std::string>& expected, Check& check)
+{
+  for (const std::string& part : expected)
+  {
+    check.That(text.find(part) != std::string::npos, "PrintSelf prints " + part);
+  }
+}
+
+}

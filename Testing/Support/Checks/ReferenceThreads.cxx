@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Support/Checks/ReferenceThreads.h"
+
+#include "Support/Checks/ReferenceExecution.h"
+#include "Support/Meshes/ReferenceGrid.h"
+
+#include "vtkSMPTools.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <atomic> // for what threads have begun
+#include <chrono> // for how long one waits
+#include <thread> // for those that wait
+
+namespace reference
+{
+
+void SetThreads(int threads)
+{
+  // TBB in VTK 9.6 takes no more threads than it had, unless all were asked for in between; then
+  // VTK up to 9.5 does not take the number that it had before all, unless there was another.
+  vtkSMPTools::Initialize();
+  vtkSMPTools::Initialize(static_cast<int>(std::thread::hardware_concurrency()));
+  vtkSMPTools::Initialize(threads);
+}
+
+bool HasThreads(bool isUnlikely)
+{
+  const std::chrono::milliseconds wait(isUnlikely ? 5 : 20000);
+  std::atomic<int> begun(0);
+  std::atomic<int> alone(0);
+  vtkSMPTools::For(0, 2, 1,
+    [&](vtkIdType, vtkIdType)
+    {
+      ++begun;
+      const auto end = std::chrono::steady_clock::now() + wait;
+      while (begun < 2)
+      {
+        if (std::chrono::steady_clock::now() > end)
+        {
+          ++alone;
+          return;
+        }
+        std::this_thread::yield();
+      }
+    });
+  return alone == 0;
+}
+
+const std::vector<const char*>& GetBackends()
+{
+#ifdef __SANITIZE_THREAD__
+  static const std::vector<const char*> backends = { "Sequential", "STDThread" };
+#else
+  static const std::vector<const char*> backends = { "Sequential", "STDThread", "TBB", "OpenMP" };
+#endif
+  return backends;
+}
+
+void CheckThreads(const std::string& name,
+  const std::function<std::vector<vtkSmartPointer<vtkUnstructuredGrid>>()>& run, Check& check)
+{
+  vtkSMPTools::SetBackend("Sequential");
+  SetThreads(1);
+  const auto expected = run();
+  for (const auto& grid : expected)
+  {
+    check.That(grid->GetNumberOfCells() > 0, "there is output");
+  }
+  const auto compare = [&]()
+  {
+    const auto found = run();
+    for (size_t i = 0; i < expected.size(); ++i)
+    {
+      const std::string difference = FindDifference(found[i], expected[i]);
+      check.That(difference.empty(), difference);
+    }
+  };
+  ForThreads(name, compare, check);
+}
+
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Support/Flow/ReferenceSkin.h"
+
+#include "vtkCell.h"
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace reference
+{
+
+vtkSmartPointer<vtkPolyData> MakeSkin(
+  vtkDataSet* grid, const std::function<bool(const Vector& middle)>& isWanted, int type)
+{
+  // By its points in ascending order, a face in its own, and how many cells have it.
+  using Ids = std::vector<vtkIdType>;
+  std::map<Ids, std::pair<Ids, int>> faces;
+  for (vtkIdType id = 0; id < grid->GetNumberOfCells(); ++id)
+  {
+    vtkCell* cell = grid->GetCell(id);
+    for (int i = 0; i < cell->GetNumberOfFaces(); ++i)
+    {
+      vtkIdList* points = cell->GetFace(i)->GetPointIds();
+      Ids own(points->begin(), points->end());
+      Ids sorted = own;
+      std::sort(sorted.begin(), sorted.end());
+      auto& entry = faces[sorted];
+      entry.first = own;
+      ++entry.second;
+    }
+  }
+  auto skin = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(type);
+  points->SetNumberOfPoints(grid->GetNumberOfPoints());
+  vtkNew<vtkDoubleArray> texture;
+  texture->SetNumberOfComponents(2);
+  texture->SetNumberOfTuples(grid->GetNumberOfPoints());
+  for (vtkIdType id = 0; id < grid->GetNumberOfPoints(); ++id)
+  {
+    points->SetPoint(id, grid->GetPoint(id));
+    texture->SetTuple2(id, 0.25, 0.75);
+  }
+  vtkNew<vtkCellArray> polygons;
+  for (const auto& face : faces)
+  {
+    const Ids& ids = face.second.first;
+    Vector middle{};
+    for (const vtkIdType id : ids)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        middle[axis] += grid->GetPoint(id)[axis] / static_cast<double>(ids.size());
+      }
+    }
+    if (face.second.second == 1 && isWanted(middle))
+    {
+      polygons->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+    }
+  }
+  skin->SetPoints(points);
+  skin->SetPolys(polygons);
+  skin->GetPointData()->SetTCoords(texture);
+  return skin;
+}
+
+}

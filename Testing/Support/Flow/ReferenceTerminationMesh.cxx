@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Support/Flow/ReferenceTerminationMesh.h"
+
+#include "Support/Checks/ReferenceRandom.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace reference
+{
+
+vtkSmartPointer<vtkPolyData> TexturedMesh::MakeData() const
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> texture;
+  texture->SetName("Texture");
+  texture->SetNumberOfComponents(2);
+  for (std::size_t i = 0; i < this->Points.size(); ++i)
+  {
+    points->InsertNextPoint(this->Points[i].data());
+    texture->InsertNextTuple(this->Texture[i].data());
+  }
+  vtkNew<vtkCellArray> cells;
+  for (const auto& triangle : this->Triangles)
+  {
+    cells->InsertNextCell({ triangle[0], triangle[1], triangle[2] });
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  data->GetPointData()->SetTCoords(texture);
+  return data;
+}
+
+TexturedMesh TexturedMesh::Placed(const SurfaceScale& scale) const
+{
+  TexturedMesh placed = *this;
+  for (Vector& point : placed.Points)
+  {
+    point = Added(scale.Center, point, scale.Size);
+  }
+  return placed;
+}
+
+TexturedMesh MakeGridMesh(
+  int columns, int rows, const std::function<Vector(double, double)>& position)
+{
+  TexturedMesh mesh;
+  for (int j = 0; j <= rows; ++j)
+  {
+    for (int i = 0; i <= columns; ++i)
+    {
+      const double u = static_cast<double>(i) / columns;
+      const double v = static_cast<double>(j) / rows;
+      mesh.Points.push_back(position(u, v));
+      mesh.Texture.push_back({ { u, v } });
+    }
+  }
+  for (int j = 0; j < rows; ++j)
+  {
+    for (int i = 0; i < columns; ++i)
+    {
+      const int first = i + j * (columns + 1);
+      const int above = first + columns + 1;
+      for (const auto& triangle : { std::array<int, 3>{ { first, first + 1, above + 1 } },
+             std::array<int, 3>{ { first, above + 1, above } } })
+      {
+        const Vector& a = mesh.Points[triangle[0]];
+        const Vector normal = CrossOf(
+          Added(mesh.Points[triangle[1]], a, -1.0), Added(mesh.Points[triangle[2]], a, -1.0));
+        if (LengthOf(normal) > 1e-12)
+        {
+          mesh.Triangles.push_back(triangle);
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+TexturedMesh MakeSolid(
+  const std::vector<Vector>& points, const std::vector<std::array<int, 3>>& triangles)
+{
+  TexturedMesh mesh;
+  mesh.Points = points;
+  mesh.Triangles = triangles;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    mesh.Texture.push_back({ { 0.1 * i - std::floor(0.1 * i), 0.07 * i - std::floor(0.07 * i) } });
+  }
+  return mesh;
+}
+
+TexturedMesh MakeTetrahedron()
+{
+  return MakeSolid({ { { -0.5, -0.4, -0.3 } }, { { 0.6, -0.3, -0.4 } }, { { 0.0, 0.7, -0.3 } },
+                     { { 0.1, 0.0, 0.6 } } },
+    { { { 0, 2, 1 } }, { { 0, 1, 3 } }, { { 1, 2, 3 } }, { { 2, 0, 3 } } });
+}
+
+TexturedMesh MakeStar()
+{
+  std::vector<Vector> points(8);
+  for (int i = 0; i < 8; ++i)
+  {
+    points[i] = { { i & 1 ? 0.25 : -0.25, i & 2 ? 0.25 : -0.25, i & 4 ? 0.25 : -0.25 } };
+  }
+  std::vector<std::array<int, 3>> triangles;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int side = 0; side < 2; ++side)
+    {
+      const int tip = static_cast<int>(points.size());
+      Vector position = { { 0.05, -0.03, 0.02 } };
+      position[axis] = side ? 0.9 : -0.9;
+      points.push_back(position);
+      const int u = 1 << (axis + 1) % 3;
+      const int v = 1 << (axis + 2) % 3;
+      const int base = side << axis;
+      const int corners[4] = { base, base + u, base + u + v, base + v };
+      for (int i = 0; i < 4; ++i)
+      {
+        const int a = corners[side ? i : (i + 1) % 4];
+        const int b = corners[side ? (i + 1) % 4 : i];
+        triangles.push_back({ { a, b, tip } });
+      }
+    }
+  }
+  return MakeSolid(points, triangles);
+}
+
+std::vector<Vector> HardPlaces(const TexturedMesh& mesh)
+{
+  Random random(17);
+  std::vector<Vector> places;
+  for (const auto& triangle : mesh.Triangles)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const Vector& a = mesh.Points[triangle[i]];
+      const Vector& b = mesh.Points[triangle[(i + 1) % 3]];
+      const Vector& c = mesh.Points[triangle[(i + 2) % 3]];
+      const Vector outward = Added(Added(a, b, 1.0), c, -2.0);
+      for (double step : { 1e-7, 1e-3, 0.1, 1.0 })
+      {
+        const double size = LengthOf(Added(b, a, -1.0));
+        places.push_back(Added(a, random.GetDirection(), step * size));
+        const Vector middle = Added(a, Added(b, a, -1.0), random.Get(0.0, 1.0));
+        places.push_back(Added(middle, random.GetDirection(), step * size));
+        places.push_back(Added(middle, outward, step));
+        places.push_back(Added(a, Added(Added(a, b, 0.5), c, -1.5), step));
+      }
+    }
+  }
+  return places;
+}
+
+double NearestDistance(const TexturedMesh& mesh, const Vector& x)
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& triangle : mesh.Triangles)
+  {
+    const Vector corners[3] = { mesh.Points[triangle[0]], mesh.Points[triangle[1]],
+      mesh.Points[triangle[2]] };
+    const Vector normal =
+      CrossOf(Added(corners[1], corners[0], -1.0), Added(corners[2], corners[0], -1.0));
+    bool isInside = true;
+    for (int i = 0; i < 3; ++i)
+    {
+      const Vector side = Added(corners[(i + 1) % 3], corners[i], -1.0);
+      const Vector p = Added(x, corners[i], -1.0);
+      isInside = isInside && DotOf(CrossOf(side, p), normal) >= 0.0;
+      const double t = std::max(0.0, std::min(DotOf(p, side) / DotOf(side, side), 1.0));
+      nearest = std::min(nearest, LengthOf(Added(p, side, -t)));
+    }
+    if (isInside)
+    {
+      nearest =
+        std::min(nearest, std::abs(DotOf(Added(x, corners[0], -1.0), normal)) / LengthOf(normal));
+    }
+  }
+  return nearest;
+}
+
+double WindingNumber(const TexturedMesh& mesh, const Vector& x)
+{
+  double sum = 0.0;
+  for (const auto& triangle : mesh.Triangles)
+  {
+    const Vector a = Added(mesh.Points[triangle[0]], x, -1.0);
+    const Vector b = Added(mesh.Points[triangle[1]], x, -1.0);
+    const Vector c = Added(mesh.Points[triangle[2]], x, -1.0);
+    const double la = LengthOf(a);
+    const double lb = LengthOf(b);
+    const double lc = LengthOf(c);
+    sum += 2.0 *
+      std::atan2(DotOf(a, CrossOf(b, c)),
+        la * lb * lc + DotOf(a, b) * lc + DotOf(b, c) * la + DotOf(c, a) * lb);
+  }
+  return sum / (4.0 * std::acos(-1.0));
+}
+
+}

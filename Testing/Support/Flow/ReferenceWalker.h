@@ -1,0 +1,573 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ReferenceWalker_h
+#define ReferenceWalker_h
+
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "Fields/FieldDispatch.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <string>
+#include <vector>
+
+/**
+ * What every kind of walker must do, told by its members alone.
+ */
+namespace reference
+{
+
+/// Calls \a function with a walker through \a vectors; an error is one of the test.
+template <typename Function>
+void WithWalker(vtkDataSet* data, vtkDataArray* vectors, Check& check, Function&& function)
+{
+  const std::string error = interlume::FieldDispatch::Execute(data, vectors, {}, function);
+  check.That(error.empty(), error);
+}
+
+template <typename Walker>
+Vector PositionOf(const Walker& walker, const Vector& p)
+{
+  Vector x;
+  walker.GetPosition(p.data(), x.data());
+  return x;
+}
+
+/// dx/dt at p.
+template <typename Walker>
+Vector VelocityOf(const Walker& walker, const Vector& p)
+{
+  Vector rate;
+  Vector v;
+  walker.GetVelocity(p.data(), rate.data());
+  walker.GetWorldVector(p.data(), rate.data(), v.data());
+  return v;
+}
+
+/// But for rounding.
+template <typename Walker>
+bool IsInside(const Walker& walker, const Vector& p)
+{
+  for (int face = 0; face < walker.GetNumberOfFaces(); ++face)
+  {
+    if (walker.GetFaceDistance(face, p.data()) < -1e-15)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The largest of a - b, in parts of scale.
+template <std::size_t N>
+double GetDifference(const std::array<double, N>& a, const std::array<double, N>& b, double scale)
+{
+  double worst = 0.0;
+  for (std::size_t i = 0; i < N; ++i)
+  {
+    const double difference = std::abs(a[i] - b[i]) / scale;
+    // Keeps NaN.
+    worst = difference <= worst ? worst : difference;
+  }
+  return worst;
+}
+
+template <std::size_t N>
+double GetLargest(const std::array<double, N>& a)
+{
+  double largest = 0.0;
+  for (const double one : a)
+  {
+    largest = std::max(largest, std::abs(one));
+  }
+  return largest;
+}
+
+/// At random places of every cell: its number, position, velocity and gradient as VTK's cells have
+/// them. Not the gradient where VTK has none, as in tiny
+/// cells and in voxels of an image with a direction matrix: \a hasGradient.
+template <typename Walker>
+void CheckPlaces(Walker walker, vtkDataSet* data, vtkDataArray* vectors, int samples,
+  double tolerance, Check& check, bool hasGradient = true)
+{
+  Random random(7);
+  double bounds[6];
+  data->GetBounds(bounds);
+  double extent = 0.0;
+  for (double bound : bounds)
+  {
+    extent = std::max(extent, std::abs(bound));
+  }
+  double place = 0.0;
+  double velocity = 0.0;
+  double gradient = 0.0;
+  int wrongCells = 0;
+  int notFound = 0;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    for (int i = 0; i < samples; ++i)
+    {
+      const CellSample sample = SampleCell(data, vectors, cell, random, hasGradient);
+      Vector p;
+      if (!walker.Locate(sample.Position.data(), p.data()))
+      {
+        ++notFound;
+        continue;
+      }
+      wrongCells += walker.GetCell() != cell || !IsInside(walker, p) || !walker.IsFinite();
+      place = std::max(place, GetDifference(PositionOf(walker, p), sample.Position, extent));
+      velocity = std::max(velocity, GetDifference(VelocityOf(walker, p), sample.Velocity, 1.0));
+      std::array<double, 9> found;
+      walker.GetVelocityGradient(p.data(), found.data());
+      gradient = hasGradient
+        ? std::max(gradient, GetDifference(found, sample.Gradient, GetLargest(sample.Gradient)))
+        : 0.0;
+    }
+  }
+  check.Equal(notFound, 0, "places of cells that are not found");
+  check.Equal(wrongCells, 0, "places that are in another cell, or outside");
+  check.Near(place, 0.0, 1e-12, "position of a place that was located", 1.0);
+  check.Near(velocity, 0.0, tolerance, "velocity as VTK's", 1.0);
+  if (hasGradient)
+  {
+    check.Near(gradient, 0.0, 100.0 * tolerance, "velocity gradient as VTK's", 1.0);
+  }
+}
+
+/// GetJacobian, GetWorldVector and GetVelocityGradient by differences in p.
+template <typename Walker>
+void CheckDerivatives(
+  Walker walker, vtkDataSet* data, vtkDataArray* vectors, double tolerance, Check& check)
+{
+  Random random(11);
+  double rates = 0.0;
+  double places = 0.0;
+  double gradients = 0.0;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    const CellSample sample = SampleCell(data, vectors, cell, random);
+    Vector p;
+    if (!check.That(walker.Locate(sample.Position.data(), p.data()), "the place is found"))
+    {
+      continue;
+    }
+    std::array<double, 9> jacobian;
+    std::array<double, 9> gradient;
+    walker.GetJacobian(p.data(), jacobian.data());
+    walker.GetVelocityGradient(p.data(), gradient.data());
+    const double scale = GetLargest(jacobian);
+    for (int j = 0; j < 3; ++j)
+    {
+      constexpr double step = 1e-5;
+      Vector before = p;
+      Vector after = p;
+      before[j] -= step;
+      after[j] += step;
+      Vector rateBefore;
+      Vector rateAfter;
+      walker.GetVelocity(before.data(), rateBefore.data());
+      walker.GetVelocity(after.data(), rateAfter.data());
+      const Vector moved = Subtract(PositionOf(walker, after), PositionOf(walker, before));
+      const Vector changed = Subtract(VelocityOf(walker, after), VelocityOf(walker, before));
+      Vector along{};
+      along[j] = 2.0 * step;
+      Vector world;
+      walker.GetWorldVector(p.data(), along.data(), world.data());
+      places = std::max(places, GetDifference(world, moved, GetLargest(moved)));
+      for (int i = 0; i < 3; ++i)
+      {
+        const double expected = (rateAfter[i] - rateBefore[i]) / (2.0 * step);
+        rates = std::max(rates, std::abs(jacobian[3 * i + j] - expected) / scale);
+        const double* row = &gradient[3 * i];
+        const double product = row[0] * moved[0] + row[1] * moved[1] + row[2] * moved[2];
+        gradients = std::max(
+          gradients, std::abs(product - changed[i]) / (GetLargest(gradient) * GetLargest(moved)));
+      }
+    }
+  }
+  check.Near(rates, 0.0, tolerance, "the Jacobian by differences", 1.0);
+  check.Near(places, 0.0, tolerance, "world vectors by differences", 1.0);
+  check.Near(gradients, 0.0, tolerance, "the velocity gradient by differences", 1.0);
+}
+
+/// A field linear in x comes out as it is, with its gradient. The numbers are those of
+/// GetLinearVector of x / unit.
+template <typename Walker>
+void CheckLinear(Walker walker, vtkDataSet* data, vtkDataArray* vectors, double unit,
+  double tolerance, Check& check)
+{
+  Random random(13);
+  double velocities = 0.0;
+  double gradients = 0.0;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    const CellSample sample = SampleCell(data, vectors, cell, random);
+    Vector p;
+    if (!check.That(walker.Locate(sample.Position.data(), p.data()), "the place is found"))
+    {
+      continue;
+    }
+    Vector x = sample.Position;
+    for (double& c : x)
+    {
+      c /= unit;
+    }
+    const Vector expected = GetLinearVector(x);
+    velocities =
+      std::max(velocities, GetDifference(VelocityOf(walker, p), expected, GetLargest(expected)));
+    std::array<double, 9> gradient;
+    walker.GetVelocityGradient(p.data(), gradient.data());
+    for (double& g : gradient)
+    {
+      g *= unit;
+    }
+    gradients = std::max(gradients, GetDifference(gradient, GetLinearGradient(), 1.0));
+  }
+  check.Near(velocities, 0.0, tolerance, "a linear field", 1.0);
+  check.Near(gradients, 0.0, 1000.0 * tolerance, "the gradient of a linear field", 1.0);
+}
+
+/**
+ * @class   LineWalk
+ * @brief   follows a straight line from cell to cell by a walker's faces
+ *
+ * Between faces the place is found by Newton's method from the one before.
+ */
+template <typename Walker>
+class LineWalk
+{
+public:
+  LineWalk(Walker walker, const Vector& start, const Vector& direction)
+    : Stand(walker)
+    , Start(start)
+    , Direction(direction)
+  {
+  }
+
+  /// False where the start is outside, or the walk does not end.
+  bool Run(double maximumTime)
+  {
+    if (!this->Stand.Locate(this->Start.data(), this->P.data()))
+    {
+      return false;
+    }
+    this->Cells.push_back(this->Stand.GetCell());
+    int idle = 0;
+    while (this->Time < maximumTime)
+    {
+      const double before = this->Time;
+      const int face = this->FindFace(maximumTime);
+      if (face < 0)
+      {
+        return true;
+      }
+      const Vector here = PositionOf(this->Stand, this->P);
+      Vector p = this->P;
+      if (!this->Stand.Cross(face, p.data()))
+      {
+        this->EndFace = face;
+        this->HasEnded = true;
+        return true;
+      }
+      this->P = p;
+      this->Cells.push_back(this->Stand.GetCell());
+      this->WorstJump =
+        std::max(this->WorstJump, GetNorm(Subtract(PositionOf(this->Stand, p), here)));
+      idle = this->Time > before ? 0 : idle + 1;
+      if (idle > 60)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  Walker Stand;
+  Vector P{};
+  double Time = 0.0;
+  std::vector<vtkIdType> Cells;
+  double WorstJump = 0.0;
+  bool HasEnded = false;
+  int EndFace = -1;
+
+private:
+  Vector GetTarget(double time) const
+  {
+    Vector x = this->Start;
+    for (int i = 0; i < 3; ++i)
+    {
+      x[i] += time * this->Direction[i];
+    }
+    return x;
+  }
+
+  // dp for dx.
+  Vector GetLocal(const Vector& p, const Vector& x) const
+  {
+    Vector columns[3];
+    for (int j = 0; j < 3; ++j)
+    {
+      Vector along{};
+      along[j] = 1.0;
+      this->Stand.GetWorldVector(p.data(), along.data(), columns[j].data());
+    }
+    const double volume = Det(columns[0], columns[1], columns[2]);
+    return { { Det(x, columns[1], columns[2]) / volume, Det(columns[0], x, columns[2]) / volume,
+      Det(columns[0], columns[1], x) / volume } };
+  }
+
+  static double Det(const Vector& a, const Vector& b, const Vector& c)
+  {
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+      a[2] * (b[0] * c[1] - b[1] * c[0]);
+  }
+
+  Vector FindPlace(double time, Vector p) const
+  {
+    for (int i = 0; i < 6; ++i)
+    {
+      const Vector step =
+        this->GetLocal(p, Subtract(this->GetTarget(time), PositionOf(this->Stand, p)));
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        p[axis] += step[axis];
+      }
+      if (GetLargest(step) < 1e-15)
+      {
+        break;
+      }
+    }
+    return p;
+  }
+
+  // Goes on to where the line leaves the cell; -1 when time is over.
+  int FindFace(double maximumTime)
+  {
+    constexpr double onFace = 1e-12;
+    const Vector rate = this->GetLocal(this->P, this->Direction);
+    const double largest = GetLargest(rate);
+    for (int face = 0; face < this->Stand.GetNumberOfFaces(); ++face)
+    {
+      Vector ahead = this->P;
+      for (int i = 0; i < 3; ++i)
+      {
+        ahead[i] += 1e-3 * rate[i] / largest;
+      }
+      const double here = this->Stand.GetFaceDistance(face, this->P.data());
+      if (here <= onFace && this->Stand.GetFaceDistance(face, ahead.data()) < here - 1e-9)
+      {
+        return face;
+      }
+    }
+    while (this->Time < maximumTime)
+    {
+      const double step = 0.1 / GetLargest(this->GetLocal(this->P, this->Direction));
+      const Vector next = this->FindPlace(this->Time + step, this->P);
+      double first = this->Time + step;
+      Vector place = next;
+      int exit = -1;
+      for (int face = 0; face < this->Stand.GetNumberOfFaces(); ++face)
+      {
+        if (this->Stand.GetFaceDistance(face, next.data()) < -onFace)
+        {
+          double low = this->Time;
+          double high = this->Time + step;
+          for (int i = 0; i < 60; ++i)
+          {
+            const double middle = 0.5 * (low + high);
+            const Vector p = this->FindPlace(middle, this->P);
+            (this->Stand.GetFaceDistance(face, p.data()) < 0.0 ? high : low) = middle;
+          }
+          if (exit < 0 || low < first)
+          {
+            first = low;
+            exit = face;
+            place = this->FindPlace(low, this->P);
+          }
+        }
+      }
+      this->Time = first;
+      this->P = place;
+      if (exit >= 0)
+      {
+        return exit;
+      }
+    }
+    return -1;
+  }
+
+  Vector Start;
+  Vector Direction;
+};
+
+/// When a line leaves a box.
+inline double GetExitTime(const double bounds[6], const Vector& start, const Vector& direction)
+{
+  double time = VTK_DOUBLE_MAX;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (direction[axis] != 0.0)
+    {
+      const double bound = bounds[2 * axis + (direction[axis] > 0.0 ? 1 : 0)];
+      time = std::min(time, (bound - start[axis]) / direction[axis]);
+    }
+  }
+  return time;
+}
+
+/// One line through a grid that fills its bounds: goes on to the box's side without a jump.
+template <typename Walker>
+void CheckLine(Walker walker, vtkDataSet* data, const Vector& start, const Vector& direction,
+  double cellSize, Check& check)
+{
+  double bounds[6];
+  data->GetBounds(bounds);
+  double extent = 0.0;
+  for (const double bound : bounds)
+  {
+    extent = std::max(extent, std::abs(bound));
+  }
+  const double exit = GetExitTime(bounds, start, direction);
+  LineWalk<Walker> walk(walker, start, direction);
+  check.That(walk.Run(2.0 * exit), "the walk ends");
+  check.That(walk.HasEnded, "the walk comes to a side of the grid");
+  check.Near(walk.Time, exit, 1e-10, "where the line leaves the grid");
+  check.Near(walk.WorstJump, 0.0, 1e-12 * cellSize + 1e-15 * extent, "jump over a face", 1.0);
+  check.That(std::adjacent_find(walk.Cells.begin(), walk.Cells.end()) == walk.Cells.end(),
+    "each crossing leads to another cell");
+}
+
+template <typename Walker>
+void CheckLines(Walker walker, vtkDataSet* data, int lines, double cellSize, Check& check)
+{
+  Random random(17);
+  double bounds[6];
+  data->GetBounds(bounds);
+  for (int line = 0; line < lines; ++line)
+  {
+    Vector start;
+    Vector direction = random.GetDirection();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double width = bounds[2 * axis + 1] - bounds[2 * axis];
+      start[axis] = bounds[2 * axis] + random.Get(0.01, 0.99) * width;
+      direction[axis] *= width;
+    }
+    CheckLine(walker, data, start, direction, cellSize, check);
+  }
+}
+
+/// Every point of the grid is found, there, and in the same cell by any copy.
+template <typename Walker>
+void CheckPoints(Walker walker, vtkDataSet* data, Check& check)
+{
+  double bounds[6];
+  data->GetBounds(bounds);
+  double extent = 0.0;
+  for (const double bound : bounds)
+  {
+    extent = std::max(extent, std::abs(bound));
+  }
+  Walker other = walker;
+  Random random(19);
+  for (vtkIdType point = 0; point < data->GetNumberOfPoints(); ++point)
+  {
+    Vector x;
+    data->GetPoint(point, x.data());
+    Vector p;
+    Vector again;
+    if (!check.That(walker.Locate(x.data(), p.data()), "a point of the grid is found"))
+    {
+      continue;
+    }
+    check.That(IsInside(walker, p), "its place is inside");
+    check.Near(GetDifference(PositionOf(walker, p), x, extent), 0.0, 1e-12, "its position", 1.0);
+    Vector elsewhere;
+    data->GetPoint(
+      static_cast<vtkIdType>(random.Get(0.0, 0.999) * data->GetNumberOfPoints()), elsewhere.data());
+    other.Locate(elsewhere.data(), again.data());
+    check.That(
+      other.Locate(x.data(), again.data()) && other.GetCell() == walker.GetCell() && again == p,
+      "it is always in the same cell");
+    // A side of the grid is found in spite of rounding.
+    Vector rounded = x;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const bool isUpper = 2.0 * x[axis] > bounds[2 * axis] + bounds[2 * axis + 1];
+      rounded[axis] += (isUpper ? 2.0 : -2.0) * DBL_EPSILON * std::abs(x[axis]);
+    }
+    check.That(other.Locate(rounded.data(), again.data()), "a point rounded outward is found");
+    check.Near(GetDifference(PositionOf(other, again), x, extent), 0.0, 1e-12, "there", 1.0);
+  }
+}
+
+/// A field linear in x / unit comes out as it is.
+inline void CheckLinearField(vtkDataSet* data, double unit, double tolerance, Check& check)
+{
+  auto linear = AddVectors(data,
+    [unit](const Vector& x) {
+      return GetLinearVector({ { x[0] / unit, x[1] / unit, x[2] / unit } });
+    });
+  WithWalker(data, linear, check,
+    [&](const auto& walker) { CheckLinear(walker, data, linear, unit, tolerance, check); });
+}
+
+/// Lines through corners and edges and along faces of 4 x 4 x 4 boxes of size 1; \a name is put
+/// before what the context tells of the line.
+inline void CheckCornerLines(const std::string& name, vtkDataSet* data, Check& check)
+{
+  const Vector lines[][2] = { { { { 0.5, 0.5, 0.5 } }, { { 1, 1, 1 } } },
+    { { { 3.5, 0.5, 2.5 } }, { { -1, 1, -1 } } }, { { { 0.5, 0.5, 2 } }, { { 1, 1, 0 } } },
+    { { { 0.25, 3, 2 } }, { { 1, 0, 0 } } }, { { { 0.25, 2.5, 1.5 } }, { { 1, 0, 0 } } } };
+  auto vectors = AddRandomVectors(data, 5);
+  WithWalker(data, vectors, check,
+    [&](const auto& walker)
+    {
+      for (const auto& line : lines)
+      {
+        check.SetContext(name + "line from " + std::to_string(line[0][0]));
+        CheckLine(walker, data, line[0], line[1], 1.0, check);
+      }
+    });
+}
+
+/// Of 4 x 3 x 3 boxes of size 1 hides those with i = 2 but for the one in the middle, which is
+/// another piece's.
+inline void HideRow(vtkUnsignedCharArray* ghosts)
+{
+  for (vtkIdType cell = 0; cell < ghosts->GetNumberOfTuples(); ++cell)
+  {
+    ghosts->SetValue(cell, cell % 4 == 2 ? vtkDataSetAttributes::HIDDENCELL : 0);
+  }
+  ghosts->SetValue(2 + 4 * (1 + 3 * 1), vtkDataSetAttributes::DUPLICATECELL);
+}
+
+/// What a walker does at hidden and duplicate cells of HideRow(). The walk that a hidden cell
+/// stops.
+template <typename Walker>
+LineWalk<Walker> CheckHiddenRow(Walker walker, Check& check)
+{
+  Vector p;
+  const Vector hidden = { { 2.5, 0.5, 0.5 } };
+  check.That(!walker.Locate(hidden.data(), p.data()), "a hidden cell is not found");
+  const Vector edge = { { 2.0, 0.5, 0.5 } };
+  check.That(walker.Locate(edge.data(), p.data()) && walker.GetCell() == 1 && p[0] == 1.0,
+    "a point on its face is in the neighbour");
+  LineWalk<Walker> through(walker, { { 0.5, 1.5, 1.5 } }, { { 1, 0, 0 } });
+  check.That(through.Run(10.0) && through.HasEnded, "a line goes through a duplicate cell");
+  check.Near(through.Time, 3.5, 1e-12, "to the side");
+  LineWalk<Walker> stopped(walker, { { 0.5, 0.5, 0.5 } }, { { 1, 0, 0 } });
+  check.That(stopped.Run(10.0) && stopped.HasEnded, "a line stops at a hidden cell");
+  check.Near(stopped.Time, 1.5, 1e-12, "at its face");
+  return stopped;
+}
+
+}
+
+#endif

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Support/Meshes/ReferenceBoundary.h"
+
+#include "vtkCell.h"
+#include "vtkDataSet.h"
+#include "vtkGenericCell.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace reference
+{
+
+namespace
+{
+
+using Point = DomainBoundary::Point;
+
+Point Difference(const Point& a, const Point& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+Point Cross(const Point& a, const Point& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+double Dot(const Point& a, const Point& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Point AreaVector(const std::vector<Point>& corners)
+{
+  Point sum = { 0, 0, 0 };
+  for (size_t i = 2; i < corners.size(); ++i)
+  {
+    const Point part =
+      Cross(Difference(corners[i - 1], corners[0]), Difference(corners[i], corners[0]));
+    for (int a = 0; a < 3; ++a)
+    {
+      sum[a] += 0.5 * part[a];
+    }
+  }
+  return sum;
+}
+
+}
+
+DomainBoundary::DomainBoundary(vtkDataSet* mesh)
+  : Tolerance(1e-10 * mesh->GetLength())
+{
+  struct Candidate
+  {
+    int Uses = 0;
+    std::vector<vtkIdType> Ring;
+    Point Inside{};
+  };
+  std::map<std::vector<vtkIdType>, Candidate> candidates;
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType c = 0; c < mesh->GetNumberOfCells(); ++c)
+  {
+    mesh->GetCell(c, cell);
+    Point centre = { 0, 0, 0 };
+    for (int i = 0; i < cell->GetNumberOfPoints(); ++i)
+    {
+      for (int a = 0; a < 3; ++a)
+      {
+        centre[a] += cell->GetPoints()->GetPoint(i)[a] / cell->GetNumberOfPoints();
+      }
+    }
+    for (int f = 0; f < cell->GetNumberOfFaces(); ++f)
+    {
+      vtkCell* face = cell->GetFace(f);
+      std::vector<vtkIdType> ring(face->GetPointIds()->begin(), face->GetPointIds()->end());
+      if (face->GetCellType() == VTK_PIXEL)
+      {
+        std::swap(ring[2], ring[3]);
+      }
+      std::vector<vtkIdType> key = ring;
+      std::sort(key.begin(), key.end());
+      Candidate& candidate = candidates[key];
+      ++candidate.Uses;
+      candidate.Ring = ring;
+      candidate.Inside = centre;
+    }
+  }
+  for (const auto& [key, candidate] : candidates)
+  {
+    if (candidate.Uses != 1)
+    {
+      continue;
+    }
+    Face face;
+    for (vtkIdType id : candidate.Ring)
+    {
+      Point x;
+      mesh->GetPoint(id, x.data());
+      face.Corners.push_back(x);
+    }
+    Point area = AreaVector(face.Corners);
+    if (Dot(area, Difference(candidate.Inside, face.Corners[0])) > 0)
+    {
+      std::reverse(face.Corners.begin(), face.Corners.end());
+      area = { -area[0], -area[1], -area[2] };
+    }
+    face.Area = std::sqrt(Dot(area, area));
+    face.Normal = { area[0] / face.Area, area[1] / face.Area, area[2] / face.Area };
+    this->Faces.push_back(face);
+  }
+}
+
+bool DomainBoundary::Holds(const Face& face, const Point& point) const
+{
+  if (std::abs(Dot(face.Normal, Difference(point, face.Corners[0]))) > this->Tolerance)
+  {
+    return false;
+  }
+  for (size_t i = 0; i < face.Corners.size(); ++i)
+  {
+    const Point& a = face.Corners[i];
+    const Point edge = Difference(face.Corners[(i + 1) % face.Corners.size()], a);
+    if (Dot(Cross(edge, Difference(point, a)), face.Normal) <
+      -this->Tolerance * std::sqrt(Dot(edge, edge)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+int DomainBoundary::Find(const std::vector<Point>& points) const
+{
+  for (size_t f = 0; f < this->Faces.size(); ++f)
+  {
+    if (std::all_of(points.begin(), points.end(),
+          [&](const Point& point) { return this->Holds(this->Faces[f], point); }))
+    {
+      return static_cast<int>(f);
+    }
+  }
+  return -1;
+}
+
+double DomainBoundary::SignedArea(int face, const std::vector<Point>& triangle) const
+{
+  return Dot(AreaVector(triangle), this->Faces[face].Normal);
+}
+
+}

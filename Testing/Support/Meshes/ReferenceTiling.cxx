@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Support/Meshes/ReferenceTiling.h"
+
+#include "Support/Meshes/ReferenceMeshBuilder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reference
+{
+
+namespace
+{
+
+using Key = std::array<int, 3>;
+using Face = std::vector<Key>;
+
+/// Turns the corners of a convex face counterclockwise around \a normal, the normal's tail in the
+/// face's centre.
+void Sort(Face& face, const Key& normal)
+{
+  double centre[3] = { 0, 0, 0 };
+  for (const Key& key : face)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      centre[a] += static_cast<double>(key[a]) / static_cast<double>(face.size());
+    }
+  }
+  double u[3];
+  for (int a = 0; a < 3; ++a)
+  {
+    u[a] = face[0][a] - centre[a];
+  }
+  const double v[3] = { normal[1] * u[2] - normal[2] * u[1], normal[2] * u[0] - normal[0] * u[2],
+    normal[0] * u[1] - normal[1] * u[0] };
+  const double ratio = std::sqrt(
+    (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]));
+  auto angle = [&](const Key& key)
+  {
+    double x = 0;
+    double y = 0;
+    for (int a = 0; a < 3; ++a)
+    {
+      x += (key[a] - centre[a]) * u[a];
+      y += (key[a] - centre[a]) * v[a] / ratio;
+    }
+    return std::atan2(y, x);
+  };
+  std::sort(
+    face.begin(), face.end(), [&](const Key& a, const Key& b) { return angle(a) < angle(b); });
+}
+
+/// The faces of a truncated octahedron: the corners are the permutations of (0, +-1, +-2).
+std::vector<Face> TruncatedOctahedron()
+{
+  std::vector<Key> corners;
+  for (int x = -2; x <= 2; ++x)
+  {
+    for (int y = -2; y <= 2; ++y)
+    {
+      for (int z = -2; z <= 2; ++z)
+      {
+        if (std::abs(x) + std::abs(y) + std::abs(z) == 3 && x * y * z == 0 &&
+          x * x + y * y + z * z == 5)
+        {
+          corners.push_back({ x, y, z });
+        }
+      }
+    }
+  }
+  std::vector<Face> faces;
+  auto addFace = [&](const Key& normal, int distance)
+  {
+    Face face;
+    for (const Key& c : corners)
+    {
+      if (c[0] * normal[0] + c[1] * normal[1] + c[2] * normal[2] == distance)
+      {
+        face.push_back(c);
+      }
+    }
+    Sort(face, normal);
+    faces.push_back(face);
+  };
+  for (int sign = -1; sign <= 1; sign += 2)
+  {
+    addFace({ sign, 0, 0 }, 2);
+    addFace({ 0, sign, 0 }, 2);
+    addFace({ 0, 0, sign }, 2);
+    for (int y = -1; y <= 1; y += 2)
+    {
+      for (int z = -1; z <= 1; z += 2)
+      {
+        addFace({ sign, y, z }, 3);
+      }
+    }
+  }
+  return faces;
+}
+
+/// A hexagonal prism on a triangular lattice: corners at 1/3 and 2/3 of a column's width.
+std::vector<Face> HexagonalPrism()
+{
+  constexpr int hexagon[6][2] = { { 2, 0 }, { 1, 1 }, { -1, 1 }, { -2, 0 }, { -1, -1 }, { 1, -1 } };
+  Face lower;
+  Face upper;
+  std::vector<Face> faces;
+  for (int i = 0; i < 6; ++i)
+  {
+    const int* a = hexagon[i];
+    const int* b = hexagon[(i + 1) % 6];
+    lower.insert(lower.begin(), Key{ a[0], a[1], 0 });
+    upper.push_back({ a[0], a[1], 1 });
+    faces.push_back({ { a[0], a[1], 0 }, { b[0], b[1], 0 }, { b[0], b[1], 1 }, { a[0], a[1], 1 } });
+  }
+  faces.push_back(lower);
+  faces.push_back(upper);
+  return faces;
+}
+
+void AddTranslated(MeshBuilder& builder, const std::vector<Face>& faces, const Key& centre,
+  const std::array<double, 3>& scale)
+{
+  std::vector<std::vector<vtkIdType>> ids;
+  for (const Face& face : faces)
+  {
+    ids.emplace_back();
+    for (const Key& c : face)
+    {
+      ids.back().push_back(
+        builder.FindOrAddPoint({ centre[0] + c[0], centre[1] + c[1], centre[2] + c[2] }, scale));
+    }
+  }
+  builder.AddPolyhedron(ids);
+}
+
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> MakeHoneycomb(const std::array<int, 3>& cells)
+{
+  MeshBuilder builder;
+  const std::vector<Face> faces = HexagonalPrism();
+  for (int k = 0; k < cells[2]; ++k)
+  {
+    for (int j = 0; j < cells[1]; ++j)
+    {
+      for (int i = 0; i < cells[0]; ++i)
+      {
+        // Every other column is lowered by half a hexagon.
+        AddTranslated(
+          builder, faces, { 3 * i, 2 * j + i % 2, k }, { 0.5, 0.5 * std::sqrt(3.0), 1 });
+      }
+    }
+  }
+  return builder.GetMesh();
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> MakeKelvinTiling(const std::array<int, 3>& cells)
+{
+  MeshBuilder builder;
+  const std::vector<Face> faces = TruncatedOctahedron();
+  for (int k = 0; k < 2 * cells[2]; ++k)
+  {
+    for (int j = 0; j < cells[1]; ++j)
+    {
+      for (int i = 0; i < cells[0]; ++i)
+      {
+        const int shift = k % 2 == 0 ? 0 : 2;
+        AddTranslated(
+          builder, faces, { 4 * i + shift, 4 * j + shift, 2 * k }, { 0.25, 0.25, 0.25 });
+      }
+    }
+  }
+  return builder.GetMesh();
+}
+
+}

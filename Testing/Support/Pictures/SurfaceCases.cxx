@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Support/Pictures/SurfaceCases.h"
+
+#include "Support/Pictures/PictureSettings.h"
+#include "Support/Pictures/ReferenceRay.h"
+
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <ostream>
+#include <vector>
+
+namespace reference
+{
+
+namespace
+{
+
+constexpr Point3 White = { { 1.0, 1.0, 1.0 } };
+
+/// White, lit by diffuse light alone, with such opacities a voxel.
+vtkSmartPointer<vtkVolumeProperty> MakeWhite(
+  const std::vector<std::array<double, 2>>& opacities, double voxel)
+{
+  std::vector<FunctionNode> nodes;
+  nodes.reserve(opacities.size());
+  for (const std::array<double, 2>& opacity : opacities)
+  {
+    nodes.push_back({ opacity[0], White, opacity[1] });
+  }
+  auto property = MakeProperty(nodes, voxel);
+  property->SetAmbient(0.0);
+  property->SetDiffuse(1.0);
+  return property;
+}
+
+/// Opaque from the middle of values from 0 to 1 on.
+vtkSmartPointer<vtkVolumeProperty> MakeOpaque(double voxel)
+{
+  return MakeWhite(
+    { { { 0.0, 0.0 } }, { { 0.5 - 1e-4, 0.0 } }, { { 0.5, 1.0 } }, { { 1.0, 1.0 } } }, voxel);
+}
+
+/// What a ray meets first of the cube, lit along the light: a surface of cosines e and l with them
+/// has l / (e + l), as both fall alike within it.
+double GetCubePixel(const Ray& ray, const Double3& toLight)
+{
+  double enter = 0.0;
+  double leave = VTK_DOUBLE_MAX;
+  double value = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const auto from = static_cast<double>(ray.Origin[k]);
+    const auto along = static_cast<double>(ray.Direction[k]);
+    const double side = along > 0.0 ? -0.5 : 0.5;
+    leave = std::min(leave, (-side - from) / along);
+    if ((side - from) / along > enter)
+    {
+      enter = (side - from) / along;
+      const double light = side > 0.0 ? toLight[k] : -toLight[k];
+      value = light > 0.0 ? light / (light + std::abs(along)) : 0.0;
+    }
+  }
+  return leave > enter ? value : std::nan("");
+}
+
+/// A direction down on the plate, from its normal by an angle and around it.
+Double3 GetDirection(const Double3& normal, double angle, double around)
+{
+  Double3 first;
+  Double3 second;
+  vtkMath::Perpendiculars(normal.data(), first.data(), second.data(), 0.0);
+  const double a = vtkMath::RadiansFromDegrees(angle);
+  const double b = vtkMath::RadiansFromDegrees(around);
+  Double3 direction;
+  for (int k = 0; k < 3; ++k)
+  {
+    direction[k] =
+      -std::cos(a) * normal[k] + std::sin(a) * (std::cos(b) * first[k] + std::sin(b) * second[k]);
+  }
+  return direction;
+}
+
+double GetDistance(const Double3& x)
+{
+  return std::sqrt(vtkMath::Distance2BetweenPoints(x.data(), Double3{ { 0.5, 0.5, 0.5 } }.data()));
+}
+
+ShadowScene MakeLit(int cells, const Field& field, vtkVolumeProperty* property)
+{
+  ShadowScene scene = MakeScene(MakeImage(cells, field), property);
+  scene.Lights[0]->SetIntensity(1.0);
+  scene.Size = { { 96, 96 } };
+  return scene;
+}
+
+}
+
+SurfaceCase MakeOpaqueCube(int cells)
+{
+  SurfaceCase made;
+  made.Scene = MakeLit(
+    cells, [](const Double3&) { return 1.0; }, MakeOpaque(1.0 / cells));
+  const auto rays = std::make_shared<PixelRays>(made.Scene.Camera, made.Scene.Size);
+  const double third = std::sqrt(1.0 / 3.0);
+  made.Expected = [rays, third](int i, int j) {
+    return GetCubePixel(rays->Get(i, j), { { -third, third, third } });
+  };
+  return made;
+}
+
+SurfaceCase MakePlate(int cells, Double3 normal, double light, double eye, double around)
+{
+  const double voxel = 1.0 / cells;
+  vtkMath::Normalize(normal.data());
+  const Field field = [&](const Double3& x)
+  {
+    const double height =
+      (x[0] - 0.5) * normal[0] + (x[1] - 0.5) * normal[1] + (x[2] - 0.503) * normal[2];
+    return vtkMath::ClampValue(0.5 - 0.5 * height / voxel, 0.0, 1.0);
+  };
+  SurfaceCase made;
+  made.Scene = MakeScene(MakeImage(cells, field), MakeOpaque(voxel));
+  made.Scene.Lights = { MakeDirectionalLight(GetDirection(normal, light, around)) };
+  made.Scene.Lights[0]->SetIntensity(1.0);
+  made.Scene.Camera = LookAt(made.Scene.Image, GetDirection(normal, eye, 0.0), true);
+  made.Scene.Camera->SetParallelScale(0.15);
+  const double e = std::cos(vtkMath::RadiansFromDegrees(eye));
+  const double l = std::cos(vtkMath::RadiansFromDegrees(light));
+  made.Expected = [e, l](int, int) { return l / (l + e); };
+  return made;
+}
+
+ShadowScene MakeStepBall(int cells)
+{
+  return MakeLit(
+    cells, [](const Double3& x) { return 1.0 - 2.0 * GetDistance(x); },
+    MakeWhite({ { { 0.0, 0.0 } }, { { 0.15, 0.0 } }, { { 0.15 + 1e-4, 0.3 } }, { { 0.4, 0.3 } },
+                { { 0.4 + 1e-4, 0.9 } }, { { 1.0, 0.9 } } },
+      1.0 / cells));
+}
+
+ShadowScene MakeShell(int cells)
+{
+  const double from = 0.2;
+  const double to = from + 2.0 / cells;
+  return MakeLit(
+    cells, [](const Double3& x) { return 1.0 - 2.0 * GetDistance(x); },
+    MakeWhite({ { { 0.0, 0.0 } }, { { from, 0.0 } }, { { from + 1e-4, 0.95 } }, { { to, 0.95 } },
+                { { to + 1e-4, 0.0 } }, { { 1.0, 0.0 } } },
+      1.0 / cells));
+}
+
+ShadowScene MakeSheet(int cells)
+{
+  return MakeLit(
+    cells,
+    [cells](const Double3& x)
+    {
+      const double height = 0.3 * (x[0] - 0.5) + 0.2 * (x[1] - 0.5) + x[2] - 0.5;
+      return std::abs(height) * cells < 0.5 ? 1.0 : 0.0;
+    },
+    MakeWhite({ { { 0.0, 0.0 } }, { { 1.0, 0.95 } } }, 1.0 / cells));
+}
+
+SurfaceErrors MeasureSurface(const RgbaPicture& found, const PixelFunction& expected)
+{
+  std::vector<double> all;
+  double squares = 0.0;
+  double level = 0.0;
+  double excess = 0.0;
+  for (int j = 0; j < found.Height; ++j)
+  {
+    for (int i = 0; i < found.Width; ++i)
+    {
+      const double value = expected(i, j);
+      if (std::isfinite(value))
+      {
+        const double difference = found.At(i, j)[0] - value;
+        all.push_back(std::abs(difference));
+        squares += difference * difference;
+        excess += difference;
+        level += value;
+      }
+    }
+  }
+  SurfaceErrors errors;
+  if (all.empty())
+  {
+    return errors;
+  }
+  std::sort(all.begin(), all.end());
+  const auto count = static_cast<double>(all.size());
+  for (const double error : all)
+  {
+    errors.Mean += error / count;
+  }
+  errors.P95 = all[static_cast<std::size_t>(0.95 * (count - 1.0))];
+  errors.Max = all.back();
+  errors.Rms = std::sqrt(squares / count) / (level / count);
+  errors.Bias = excess / level;
+  return errors;
+}
+
+SurfaceErrors MeasureSurface(const RgbaPicture& found, const RgbaPicture& expected)
+{
+  return MeasureSurface(found,
+    [&](int i, int j)
+    {
+      const double* pixel = expected.At(i, j);
+      return pixel[3] > 1e-3 ? pixel[0] : std::nan("");
+    });
+}
+
+std::ostream& operator<<(std::ostream& os, const SurfaceErrors& errors)
+{
+  return os << "mean " << errors.Mean << ", 95 % below " << errors.P95 << ", largest " << errors.Max
+            << ", rms " << errors.Rms << ", brightness " << errors.Bias;
+}
+
+}

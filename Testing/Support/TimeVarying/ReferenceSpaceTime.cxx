@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Support/TimeVarying/ReferenceSpaceTime.h"
+
+#include "Support/Meshes/ReferenceSplit.h"
+#include "Support/Meshes/ReferenceVolume.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace reference
+{
+
+namespace
+{
+
+using Real = long double;
+
+Real Determinant3(
+  const std::array<std::array<Real, 4>, 4>& rows, int r, const std::array<int, 3>& c)
+{
+  return rows[r][c[0]] *
+    (rows[r + 1][c[1]] * rows[r + 2][c[2]] - rows[r + 1][c[2]] * rows[r + 2][c[1]]) -
+    rows[r][c[1]] *
+    (rows[r + 1][c[0]] * rows[r + 2][c[2]] - rows[r + 1][c[2]] * rows[r + 2][c[0]]) +
+    rows[r][c[2]] * (rows[r + 1][c[0]] * rows[r + 2][c[1]] - rows[r + 1][c[1]] * rows[r + 2][c[0]]);
+}
+
+/// A corner of a tetrahedron at one step.
+struct SpaceTimeCorner
+{
+  SpaceTimePoint X;
+  Real Value = 0;
+};
+
+SpaceTimeCorner CornerOf(const TimeStep& step, const char* array, const MeanPoint& mean)
+{
+  vtkDataSet* data = GetDataSet(step);
+  SpaceTimeCorner corner;
+  for (int i = 0; i < 3; ++i)
+  {
+    corner.X[i] = MeanOf<Real>(mean, [&](vtkIdType id) { return data->GetPoint(id)[i]; });
+  }
+  corner.X[3] = step.Time;
+  if (array)
+  {
+    vtkDataArray* values = data->GetPointData()->GetArray(array);
+    corner.Value = MeanOf<Real>(mean, [&](vtkIdType id) { return values->GetComponent(id, 0); });
+  }
+  return corner;
+}
+
+/// The share where lower <= function <= upper: where it is constant and equal to a bound, all.
+Real ShareBetween(std::vector<Real> values, Real lower, Real upper)
+{
+  const Real belowUpper = ShareBelow(values, upper);
+  std::transform(values.begin(), values.end(), values.begin(), std::negate<>());
+  return belowUpper + ShareBelow(values, -lower) - 1;
+}
+
+/// The part of the prism over a tetrahedron between two steps. Points are taken in the order of
+/// their numbers, so that two tetrahedra cut the prism over the triangle they share alike.
+Real PrismBetween(const TimeStep& from, const TimeStep& to, const char* array, Real lower,
+  Real upper, const SplitTetrahedron& split)
+{
+  std::array<int, 4> order = { 0, 1, 2, 3 };
+  std::sort(order.begin(), order.end(),
+    [&](int a, int b) {
+      return std::make_pair(split[a].size(), split[a]) < std::make_pair(split[b].size(), split[b]);
+    });
+  int sign = 1;
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int j = 0; j < i; ++j)
+    {
+      sign = order[j] > order[i] ? -sign : sign;
+    }
+  }
+  std::array<SpaceTimeCorner, 4> bottom;
+  std::array<SpaceTimeCorner, 4> top;
+  for (int i = 0; i < 4; ++i)
+  {
+    bottom[i] = CornerOf(from, array, split[order[i]]);
+    top[i] = CornerOf(to, array, split[order[i]]);
+  }
+  Real sum = 0;
+  for (int turn = 0; turn < 4; ++turn)
+  {
+    // Bottom 0 ... turn, top turn ... 3.
+    std::array<SpaceTimePoint, 5> points;
+    std::vector<Real> values;
+    for (int i = 0; i < 5; ++i)
+    {
+      const SpaceTimeCorner& corner = i <= turn ? bottom[i] : top[i - 1];
+      points[i] = corner.X;
+      values.push_back(corner.Value);
+    }
+    // For a positive tetrahedron 0123 the simplex with the edge in time after vertex `turn` has the
+    // sign of moving that edge's end from place turn + 1 to the last.
+    const int parity = (3 - turn) % 2 == 0 ? 1 : -1;
+    sum += parity * SimplexHypervolume(points) * (array ? ShareBetween(values, lower, upper) : 1);
+  }
+  return sign * sum;
+}
+
+Real HypervolumeOf(const TimeSteps& steps, const char* array, Real lower, Real upper)
+{
+  Real sum = 0;
+  for (size_t i = 0; i + 1 < steps.size(); ++i)
+  {
+    ForEachTetrahedron(GetDataSet(steps[i]),
+      [&](vtkIdType, const SplitTetrahedron& split)
+      { sum += PrismBetween(steps[i], steps[i + 1], array, lower, upper, split); });
+  }
+  return sum;
+}
+
+/// How long a function that goes linearly from a to b in a time is between bounds.
+Real Duration(Real a, Real b, Real lower, Real upper, Real time)
+{
+  return time * ShareBetween({ a, b }, lower, upper);
+}
+
+}
+
+long double SimplexHypervolume(const std::array<SpaceTimePoint, 5>& points)
+{
+  std::array<std::array<Real, 4>, 4> rows;
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int a = 0; a < 4; ++a)
+    {
+      rows[i][a] = points[i + 1][a] - points[0][a];
+    }
+  }
+  Real determinant = 0;
+  constexpr std::array<int, 3> others[4] = { { 1, 2, 3 }, { 0, 2, 3 }, { 0, 1, 3 }, { 0, 1, 2 } };
+  for (int c = 0; c < 4; ++c)
+  {
+    determinant += (c % 2 == 0 ? 1 : -1) * rows[0][c] * Determinant3(rows, 1, others[c]);
+  }
+  return determinant / 24;
+}
+
+long double ShareBelow(const std::vector<long double>& values, long double bound)
+{
+  std::vector<Real> below;
+  std::vector<Real> above;
+  for (Real value : values)
+  {
+    (value <= bound ? below : above).push_back(value - bound);
+  }
+  if (above.empty())
+  {
+    return 1;
+  }
+  // A_0 = 1 and A_k = 0 at first; each vertex below makes A_k = (y_k A_k - x A_{k-1}) / (y_k - x),
+  // y over the vertices above. The last is the share below.
+  std::vector<Real> shares(above.size() + 1, 0);
+  shares[0] = 1;
+  for (Real x : below)
+  {
+    for (size_t k = 1; k <= above.size(); ++k)
+    {
+      shares[k] = (above[k - 1] * shares[k] - x * shares[k - 1]) / (above[k - 1] - x);
+    }
+  }
+  return shares.back();
+}
+
+long double HypervolumeBetween(
+  const TimeSteps& steps, const char* array, double lower, double upper)
+{
+  return HypervolumeOf(steps, array, lower, upper);
+}
+
+long double DomainHypervolume(const TimeSteps& steps)
+{
+  return HypervolumeOf(steps, nullptr, 0, 0);
+}
+
+long double DurationAt(const TimeSteps& steps, const char* array, double lower, double upper,
+  const std::array<double, 3>& point)
+{
+  const std::array<Real, 3> x = { point[0], point[1], point[2] };
+  Real sum = 0;
+  bool found = false;
+  ForEachTetrahedron(GetDataSet(steps.front()),
+    [&](vtkIdType, const SplitTetrahedron& split)
+    {
+      std::array<std::array<Real, 3>, 4> corners;
+      for (int i = 0; i < 4; ++i)
+      {
+        const SpaceTimePoint corner = CornerOf(steps.front(), nullptr, split[i]).X;
+        corners[i] = { corner[0], corner[1], corner[2] };
+      }
+      const Real whole = Determinant(corners[0], corners[1], corners[2], corners[3]);
+      std::array<Real, 4> weights;
+      for (int i = 0; i < 4; ++i)
+      {
+        auto replaced = corners;
+        replaced[i] = x;
+        weights[i] = Determinant(replaced[0], replaced[1], replaced[2], replaced[3]) / whole;
+      }
+      if (found || *std::min_element(weights.begin(), weights.end()) < 0)
+      {
+        return;
+      }
+      found = true;
+      std::vector<Real> values;
+      for (const TimeStep& step : steps)
+      {
+        Real value = 0;
+        for (int i = 0; i < 4; ++i)
+        {
+          value += weights[i] * CornerOf(step, array, split[i]).Value;
+        }
+        values.push_back(value);
+      }
+      for (size_t i = 0; i + 1 < steps.size(); ++i)
+      {
+        sum += Duration(values[i], values[i + 1], lower, upper, steps[i + 1].Time - steps[i].Time);
+      }
+    });
+  return sum;
+}
+
+}
