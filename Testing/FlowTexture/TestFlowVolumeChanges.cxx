@@ -332,10 +332,5 @@ void TestShared(Check& check)
 
 int TestFlowVolumeChanges(int, char*[])
 {
-  Check check;
-  TestCounters(check);
-  TestOpacityArray(check);
-  TestRandom(check);
-  TestShared(check);
-  return check.Result();
+  return RunChecks({ TestCounters, TestOpacityArray, TestRandom, TestShared });
 }

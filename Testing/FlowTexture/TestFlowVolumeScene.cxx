@@ -379,11 +379,5 @@ void TestRoutes(Check& check)
 
 int TestFlowVolumeScene(int, char*[])
 {
-  Check check;
-  TestCuts(check);
-  TestSheets(check);
-  TestOpaque(check);
-  TestRenderers(check);
-  TestRoutes(check);
-  return check.Result();
+  return RunChecks({ TestCuts, TestSheets, TestOpaque, TestRenderers, TestRoutes });
 }

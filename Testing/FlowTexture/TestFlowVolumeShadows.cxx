@@ -448,11 +448,5 @@ void TestRandom(Check& check)
 
 int TestFlowVolumeShadows(int, char*[])
 {
-  Check check;
-  TestFormula(check);
-  TestPay(check);
-  TestOthers(check);
-  TestRoutes(check);
-  TestRandom(check);
-  return check.Result();
+  return RunChecks({ TestFormula, TestPay, TestOthers, TestRoutes, TestRandom });
 }

@@ -248,8 +248,5 @@ void TestStripes(Check& check)
 
 int TestFlowVolumeSoftShadows(int, char*[])
 {
-  Check check;
-  TestFormula(check);
-  TestStripes(check);
-  return check.Result();
+  return RunChecks({ TestFormula, TestStripes });
 }

@@ -195,10 +195,5 @@ void CheckExtreme(Check& check)
 
 int TestTetrahedralMesherArrays(int, char*[])
 {
-  Check check;
-  CheckLinear(check);
-  CheckHarmonic(check);
-  CheckTypes(check);
-  CheckExtreme(check);
-  return check.Result();
+  return RunChecks({ CheckLinear, CheckHarmonic, CheckTypes, CheckExtreme });
 }

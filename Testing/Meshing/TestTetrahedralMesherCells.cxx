@@ -354,14 +354,6 @@ void CheckTooFew(Check& check)
 
 int TestTetrahedralMesherCells(int, char*[])
 {
-  Check check;
-  CheckKinds(check);
-  CheckConcave(check);
-  CheckGlobalIds(check);
-  CheckBlocks(check);
-  CheckGhosts(check);
-  CheckSingle(check);
-  CheckArrays(check);
-  CheckTooFew(check);
-  return check.Result();
+  return RunChecks({ CheckKinds, CheckConcave, CheckGlobalIds, CheckBlocks, CheckGhosts,
+    CheckSingle, CheckArrays, CheckTooFew });
 }

@@ -356,16 +356,6 @@ void CheckPlanarGrid(Check& check)
 
 int TestTetrahedralMesherSurfaces(int, char*[])
 {
-  Check check;
-  CheckSources(check);
-  CheckConcavePolygons(check);
-  CheckShells(check);
-  CheckWalls(check);
-  CheckContacts(check);
-  CheckFilledCavity(check);
-  CheckPointContacts(check);
-  CheckDiagonals(check);
-  CheckContactError(check);
-  CheckPlanarGrid(check);
-  return check.Result();
+  return RunChecks({ CheckSources, CheckConcavePolygons, CheckShells, CheckWalls, CheckContacts,
+    CheckFilledCavity, CheckPointContacts, CheckDiagonals, CheckContactError, CheckPlanarGrid });
 }

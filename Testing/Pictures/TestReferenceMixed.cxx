@@ -354,14 +354,6 @@ void TestThreads(Check& check)
 
 int TestReferenceMixed(int, char*[])
 {
-  Check check;
-  TestSmokeShadow(check);
-  TestOrder(check);
-  TestSurfaceInSmoke(check);
-  TestBoxShadow(check);
-  TestPenumbra(check);
-  TestColoredPoints(check);
-  TestShading(check);
-  TestThreads(check);
-  return check.Result();
+  return RunChecks({ TestSmokeShadow, TestOrder, TestSurfaceInSmoke, TestBoxShadow, TestPenumbra,
+    TestColoredPoints, TestShading, TestThreads });
 }

@@ -304,14 +304,6 @@ void TestSlivers(Check& check)
 
 int TestReferencePicture(int, char*[])
 {
-  Check check;
-  TestSlab(check);
-  TestLinear(check);
-  TestAgainstRayIntegrator(check);
-  TestTwoSlabs(check);
-  TestAverage(check);
-  TestOrder(check);
-  TestRefined(check);
-  TestSlivers(check);
-  return check.Result();
+  return RunChecks({ TestSlab, TestLinear, TestAgainstRayIntegrator, TestTwoSlabs, TestAverage,
+    TestOrder, TestRefined, TestSlivers });
 }

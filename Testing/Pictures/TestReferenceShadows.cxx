@@ -320,15 +320,6 @@ void TestRefinement(Check& check)
 
 int TestReferenceShadows(int, char*[])
 {
-  Check check;
-  TestHomogeneous(check);
-  TestCuts(check);
-  TestLinear(check);
-  TestShading(check);
-  TestGradient(check);
-  TestLights(check);
-  TestComponents(check);
-  TestNan(check);
-  TestRefinement(check);
-  return check.Result();
+  return RunChecks({ TestHomogeneous, TestCuts, TestLinear, TestShading, TestGradient, TestLights,
+    TestComponents, TestNan, TestRefinement });
 }

@@ -272,11 +272,6 @@ void CheckVortexCounts(Check& check)
 
 int TestAnalyticFieldSource(int, char*[])
 {
-  Check check;
-  CheckElementary(check);
-  CheckVortices(check);
-  CheckVolumes(check);
-  CheckLattice(check);
-  CheckVortexCounts(check);
-  return check.Result();
+  return RunChecks(
+    { CheckElementary, CheckVortices, CheckVolumes, CheckLattice, CheckVortexCounts });
 }

@@ -222,10 +222,5 @@ void CheckSource(Check& check)
 
 int TestConstructiveModels(int, char*[])
 {
-  Check check;
-  CheckBoxes(check);
-  CheckHundredths(check);
-  CheckPlaces(check);
-  CheckSource(check);
-  return check.Result();
+  return RunChecks({ CheckBoxes, CheckHundredths, CheckPlaces, CheckSource });
 }

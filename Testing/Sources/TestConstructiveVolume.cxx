@@ -314,13 +314,6 @@ void CheckRefusals(Check& check)
 
 int TestConstructiveVolume(int, char*[])
 {
-  Check check;
-  CheckValues(check);
-  CheckFuzzySphere(check);
-  CheckSubsamples(check);
-  CheckNeighbors(check);
-  CheckExecution(check);
-  CheckFit(check);
-  CheckRefusals(check);
-  return check.Result();
+  return RunChecks({ CheckValues, CheckFuzzySphere, CheckSubsamples, CheckNeighbors, CheckExecution,
+    CheckFit, CheckRefusals });
 }

@@ -163,11 +163,5 @@ void CheckSeeds(Check& check)
 
 int TestGradientNoise(int, char*[])
 {
-  Check check;
-  CheckPublished(check);
-  CheckLattice(check);
-  CheckSmoothness(check);
-  CheckSums(check);
-  CheckSeeds(check);
-  return check.Result();
+  return RunChecks({ CheckPublished, CheckLattice, CheckSmoothness, CheckSums, CheckSeeds });
 }

@@ -106,9 +106,5 @@ void CheckGrids(Check& check)
 
 int TestSourceReports(int, char*[])
 {
-  Check check;
-  CheckImages(check);
-  CheckVolumes(check);
-  CheckGrids(check);
-  return check.Result();
+  return RunChecks({ CheckImages, CheckVolumes, CheckGrids });
 }

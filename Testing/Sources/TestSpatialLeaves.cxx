@@ -229,10 +229,5 @@ void CheckFlat(Check& check)
 
 int TestSpatialLeaves(int, char*[])
 {
-  Check check;
-  CheckImplicit(check);
-  CheckImage(check);
-  CheckRefusals(check);
-  CheckFlat(check);
-  return check.Result();
+  return RunChecks({ CheckImplicit, CheckImage, CheckRefusals, CheckFlat });
 }

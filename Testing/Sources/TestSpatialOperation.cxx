@@ -318,12 +318,6 @@ void CheckRefusals(Check& check)
 
 int TestSpatialOperation(int, char*[])
 {
-  Check check;
-  CheckDefinitions(check);
-  CheckSolids(check);
-  CheckNestedDifference(check);
-  CheckSpans(check);
-  CheckBounds(check);
-  CheckRefusals(check);
-  return check.Result();
+  return RunChecks({ CheckDefinitions, CheckSolids, CheckNestedDifference, CheckSpans, CheckBounds,
+    CheckRefusals });
 }

@@ -264,9 +264,5 @@ void CheckRefusals(Check& check)
 
 int TestSpatialPrimitive(int, char*[])
 {
-  Check check;
-  CheckShapes(check);
-  CheckVolumes(check);
-  CheckRefusals(check);
-  return check.Result();
+  return RunChecks({ CheckShapes, CheckVolumes, CheckRefusals });
 }

@@ -149,8 +149,5 @@ void CheckSettings(Check& check)
 
 int TestSpatialTurbulence(int, char*[])
 {
-  Check check;
-  CheckModes(check);
-  CheckSettings(check);
-  return check.Result();
+  return RunChecks({ CheckModes, CheckSettings });
 }

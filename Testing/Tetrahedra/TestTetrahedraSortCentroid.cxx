@@ -155,11 +155,5 @@ void CheckSmall(Check& check)
 
 int TestTetrahedraSortCentroid(int, char*[])
 {
-  Check check;
-  CheckRadix(check);
-  CheckFloatKeys(check);
-  CheckLattice(check);
-  CheckPrecision(check);
-  CheckSmall(check);
-  return check.Result();
+  return RunChecks({ CheckRadix, CheckFloatKeys, CheckLattice, CheckPrecision, CheckSmall });
 }

@@ -227,8 +227,5 @@ void CheckDistorted(Check& check)
 
 int TestTetrahedraSortCycles(int, char*[])
 {
-  Check check;
-  CheckSticks(check);
-  CheckDistorted(check);
-  return check.Result();
+  return RunChecks({ CheckSticks, CheckDistorted });
 }

@@ -209,11 +209,5 @@ void CheckTwins(Check& check)
 
 int TestTetrahedraSortDegenerate(int, char*[])
 {
-  Check check;
-  CheckSmall(check);
-  CheckEyes(check);
-  CheckTurned(check);
-  CheckBroken(check);
-  CheckTwins(check);
-  return check.Result();
+  return RunChecks({ CheckSmall, CheckEyes, CheckTurned, CheckBroken, CheckTwins });
 }

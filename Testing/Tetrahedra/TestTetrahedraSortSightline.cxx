@@ -181,8 +181,5 @@ void CheckRelations(Check& check)
 
 int TestTetrahedraSortSightline(int, char*[])
 {
-  Check check;
-  CheckRaster(check);
-  CheckRelations(check);
-  return check.Result();
+  return RunChecks({ CheckRaster, CheckRelations });
 }

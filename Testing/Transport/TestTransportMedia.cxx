@@ -157,9 +157,5 @@ void CheckVolume(Check& check)
 
 int TestTransportMedia(int, char*[])
 {
-  Check check;
-  CheckFunction(check);
-  CheckCells(check);
-  CheckVolume(check);
-  return check.Result();
+  return RunChecks({ CheckFunction, CheckCells, CheckVolume });
 }

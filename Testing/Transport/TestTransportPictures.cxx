@@ -147,10 +147,5 @@ void CheckThreads(Check& check)
 
 int TestTransportPictures(int, char*[])
 {
-  Check check;
-  CheckPublished(check);
-  CheckSingle(check);
-  CheckFurnace(check);
-  CheckThreads(check);
-  return check.Result();
+  return RunChecks({ CheckPublished, CheckSingle, CheckFurnace, CheckThreads });
 }

@@ -312,10 +312,5 @@ void TestErrors(Check& check)
 
 int TestFlowDefaults(int, char*[])
 {
-  Check check;
-  TestSamples(check);
-  TestScalars(check);
-  TestWarnings(check);
-  TestErrors(check);
-  return check.Result();
+  return RunChecks({ TestSamples, TestScalars, TestWarnings, TestErrors });
 }

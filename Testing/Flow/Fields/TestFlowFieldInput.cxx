@@ -260,12 +260,6 @@ void TestShortArrays(Check& check)
 
 int TestFlowFieldInput(int, char*[])
 {
-  Check check;
-  TestBoundary(check);
-  TestTypes(check);
-  TestPlane(check);
-  TestCellArray(check);
-  TestAbort(check);
-  TestShortArrays(check);
-  return check.Result();
+  return RunChecks(
+    { TestBoundary, TestTypes, TestPlane, TestCellArray, TestAbort, TestShortArrays });
 }

@@ -318,14 +318,6 @@ void CheckErrors(Check& check)
 
 int TestFlowWalkerImage(int, char*[])
 {
-  Check check;
-  CheckGrids(check);
-  CheckCorners(check);
-  CheckDomainFaces(check);
-  CheckBlanking(check);
-  CheckNonFinite(check);
-  CheckTypes(check);
-  CheckLargeIntegers(check);
-  CheckErrors(check);
-  return check.Result();
+  return RunChecks({ CheckGrids, CheckCorners, CheckDomainFaces, CheckBlanking, CheckNonFinite,
+    CheckTypes, CheckLargeIntegers, CheckErrors });
 }

@@ -395,17 +395,6 @@ void CheckThreads(Check& check)
 
 int TestFlowWalkerStructured(int, char*[])
 {
-  Check check;
-  CheckGrids(check);
-  CheckCorners(check);
-  CheckSeam(check);
-  CheckCut(check);
-  CheckBlanking(check);
-  CheckCollapsed(check);
-  CheckStraightCorner(check);
-  CheckDistorted(check);
-  CheckFolded(check);
-  CheckErrors(check);
-  CheckThreads(check);
-  return check.Result();
+  return RunChecks({ CheckGrids, CheckCorners, CheckSeam, CheckCut, CheckBlanking, CheckCollapsed,
+    CheckStraightCorner, CheckDistorted, CheckFolded, CheckErrors, CheckThreads });
 }

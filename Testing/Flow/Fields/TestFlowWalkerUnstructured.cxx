@@ -323,16 +323,6 @@ void CheckThreads(Check& check)
 
 int TestFlowWalkerUnstructured(int, char*[])
 {
-  Check check;
-  CheckMeshes(check);
-  CheckCorners(check);
-  CheckApex(check);
-  CheckBlocks(check);
-  CheckBlanking(check);
-  CheckHiddenAtOrigin(check);
-  CheckNonFinite(check);
-  CheckArrays(check);
-  CheckErrors(check);
-  CheckThreads(check);
-  return check.Result();
+  return RunChecks({ CheckMeshes, CheckCorners, CheckApex, CheckBlocks, CheckBlanking,
+    CheckHiddenAtOrigin, CheckNonFinite, CheckArrays, CheckErrors, CheckThreads });
 }

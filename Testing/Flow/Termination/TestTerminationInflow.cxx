@@ -166,10 +166,5 @@ void TestFilter(Check& check)
 
 int TestTerminationInflow(int, char*[])
 {
-  Check check;
-  TestUniform(check);
-  TestParts(check);
-  TestBad(check);
-  TestFilter(check);
-  return check.Result();
+  return RunChecks({ TestUniform, TestParts, TestBad, TestFilter });
 }

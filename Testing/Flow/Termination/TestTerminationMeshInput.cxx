@@ -317,13 +317,6 @@ void CheckChanges(Check& check)
 
 int TestTerminationMeshInput(int, char*[])
 {
-  Check check;
-  CheckOrientation(check);
-  CheckOpenOrientation(check);
-  CheckDoubledPoints(check);
-  CheckDegenerate(check);
-  CheckBranching(check);
-  CheckMessages(check);
-  CheckChanges(check);
-  return check.Result();
+  return RunChecks({ CheckOrientation, CheckOpenOrientation, CheckDoubledPoints, CheckDegenerate,
+    CheckBranching, CheckMessages, CheckChanges });
 }

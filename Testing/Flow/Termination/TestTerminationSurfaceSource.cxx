@@ -268,11 +268,6 @@ void CheckThreadsOfSource(Check& check)
 
 int TestTerminationSurfaceSource(int, char*[])
 {
-  Check check;
-  CheckShapes(check);
-  CheckErrors(check);
-  CheckReport(check);
-  CheckProgressOfSource(check);
-  CheckThreadsOfSource(check);
-  return check.Result();
+  return RunChecks(
+    { CheckShapes, CheckErrors, CheckReport, CheckProgressOfSource, CheckThreadsOfSource });
 }

@@ -387,10 +387,5 @@ void CheckLengths(Check& check)
 
 int TestFlowCriticalPointCells(int, char*[])
 {
-  Check check;
-  CheckRandomCells(check);
-  CheckKnownPairs(check);
-  CheckIndices(check);
-  CheckLengths(check);
-  return check.Result();
+  return RunChecks({ CheckRandomCells, CheckKnownPairs, CheckIndices, CheckLengths });
 }

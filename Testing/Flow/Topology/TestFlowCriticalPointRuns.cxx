@@ -180,9 +180,5 @@ void CheckErrors(Check& check)
 
 int TestFlowCriticalPointRuns(int, char*[])
 {
-  Check check;
-  CheckLeftOut(check);
-  CheckExecution(check);
-  CheckErrors(check);
-  return check.Result();
+  return RunChecks({ CheckLeftOut, CheckExecution, CheckErrors });
 }

@@ -283,8 +283,5 @@ void CheckSources(Check& check)
 
 int TestFlowCriticalPointTypes(int, char*[])
 {
-  Check check;
-  CheckTypes(check);
-  CheckSources(check);
-  return check.Result();
+  return RunChecks({ CheckTypes, CheckSources });
 }

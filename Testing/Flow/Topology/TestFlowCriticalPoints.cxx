@@ -214,8 +214,5 @@ void CheckScales(Check& check)
 
 int TestFlowCriticalPoints(int, char*[])
 {
-  Check check;
-  CheckPlaces(check);
-  CheckScales(check);
-  return check.Result();
+  return RunChecks({ CheckPlaces, CheckScales });
 }

@@ -610,16 +610,6 @@ void CheckErrors(Check& check)
 
 int TestVortexAxis(int, char*[])
 {
-  Check check;
-  CheckLinear(check);
-  CheckLayers(check);
-  CheckDirections(check);
-  CheckOrder(check);
-  CheckChoice(check);
-  CheckBreaks(check);
-  CheckNone(check);
-  CheckScales(check);
-  CheckExecution(check);
-  CheckErrors(check);
-  return check.Result();
+  return RunChecks({ CheckLinear, CheckLayers, CheckDirections, CheckOrder, CheckChoice,
+    CheckBreaks, CheckNone, CheckScales, CheckExecution, CheckErrors });
 }

@@ -274,11 +274,5 @@ void TestThreads(Check& check)
 
 int TestFlowVolumeCuts(int, char*[])
 {
-  Check check;
-  TestVolumes(check);
-  TestRefinement(check);
-  TestOblique(check);
-  TestReturning(check);
-  TestThreads(check);
-  return check.Result();
+  return RunChecks({ TestVolumes, TestRefinement, TestOblique, TestReturning, TestThreads });
 }

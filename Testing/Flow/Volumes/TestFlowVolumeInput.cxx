@@ -274,9 +274,5 @@ void CheckRuns(Check& check)
 
 int TestFlowVolumeInput(int, char*[])
 {
-  Check check;
-  CheckErrors(check);
-  CheckArrays(check);
-  CheckRuns(check);
-  return check.Result();
+  return RunChecks({ CheckErrors, CheckArrays, CheckRuns });
 }

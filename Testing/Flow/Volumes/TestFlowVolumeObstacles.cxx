@@ -400,11 +400,5 @@ void TestThreads(Check& check)
 
 int TestFlowVolumeObstacles(int, char*[])
 {
-  Check check;
-  TestVolumes(check);
-  TestAtPlane(check);
-  TestValues(check);
-  TestWithout(check);
-  TestThreads(check);
-  return check.Result();
+  return RunChecks({ TestVolumes, TestAtPlane, TestValues, TestWithout, TestThreads });
 }

@@ -424,12 +424,5 @@ void TestBadArray(Check& check)
 
 int TestFlowVolumeReturns(int, char*[])
 {
-  Check check;
-  TestRotation(check);
-  TestMesh(check);
-  TestOneId(check);
-  TestSphere(check);
-  TestSource(check);
-  TestBadArray(check);
-  return check.Result();
+  return RunChecks({ TestRotation, TestMesh, TestOneId, TestSphere, TestSource, TestBadArray });
 }

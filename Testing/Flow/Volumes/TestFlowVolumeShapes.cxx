@@ -233,11 +233,5 @@ void CheckFlux(Check& check)
 
 int TestFlowVolumeShapes(int, char*[])
 {
-  Check check;
-  CheckUniform(check);
-  CheckForms(check);
-  CheckSphere(check);
-  CheckRotation(check);
-  CheckFlux(check);
-  return check.Result();
+  return RunChecks({ CheckUniform, CheckForms, CheckSphere, CheckRotation, CheckFlux });
 }

@@ -628,13 +628,6 @@ void CheckErrors(Check& check)
 
 int TestStreamSurfaceParameters(int, char*[])
 {
-  Check check;
-  CheckPlane(check);
-  CheckCylinder(check);
-  CheckParts(check);
-  CheckFar(check);
-  CheckFarAround(check);
-  CheckRuns(check);
-  CheckErrors(check);
-  return check.Result();
+  return RunChecks(
+    { CheckPlane, CheckCylinder, CheckParts, CheckFar, CheckFarAround, CheckRuns, CheckErrors });
 }

@@ -56,4 +56,15 @@ int Check::Result() const
   return this->Checks > 0 && this->Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
+int RunChecks(std::initializer_list<void (*)(Check&)> checks)
+{
+  Check check;
+  for (const auto run : checks)
+  {
+    check.SetContext("");
+    run(check);
+  }
+  return check.Result();
+}
+
 }

@@ -2,8 +2,9 @@
 #ifndef ReferenceCheck_h
 #define ReferenceCheck_h
 
-#include <string>      // for the labels
-#include <type_traits> // for what Equal refuses
+#include <initializer_list> // for the checks of a test
+#include <string>           // for the labels
+#include <type_traits>      // for what Equal refuses
 
 namespace reference
 {
@@ -45,6 +46,9 @@ private:
   int Failures = 0;
   long long Checks = 0;
 };
+
+/// Calls each of \a checks, with an empty context, and returns the exit code of the test.
+int RunChecks(std::initializer_list<void (*)(Check&)> checks);
 
 }
 
