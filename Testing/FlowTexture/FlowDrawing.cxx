@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FlowDrawing.h"
 
-#include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceRandom.h"
+#include "Support/Pictures/PictureSettings.h"
 
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
-#include "vtkImplicitFlowVolumeMapper.h"
-#include "vtkNew.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
-#include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace reference
 {
@@ -40,6 +42,32 @@ RgbaPicture DrawFlow(vtkImplicitFlowVolumeMapper* mapper, vtkImageData* voxels,
   return picture;
 }
 
+FlowEnd Uniform(const Place3& x)
+{
+  return { true, 0, x[1] + 0.5, x[2] + 0.5, x[0] + 0.5 };
+}
+
+vtkSmartPointer<vtkCamera> LookAlong(const Place3& direction, bool isParallel)
+{
+  return LookAt({ { 0.0, 0.0, 0.0 } }, 0.87, direction, isParallel);
+}
+
+Color4 Blob(double u, double v)
+{
+  const double r = std::hypot(u - 0.5, v - 0.45) / 0.3;
+  return { { u, 0.4, v, 0.6 * std::exp(-r * r) } };
+}
+
+FlowScene MakeBlobScene()
+{
+  FlowScene scene;
+  scene.Flow = &Uniform;
+  scene.Paint = [](const FlowEnd& answer) { return Blob(answer.U, answer.V); };
+  scene.UnitDistance = 0.3;
+  scene.Camera = LookAlong({ { -0.5, 0.6, -0.4 } });
+  return scene;
+}
+
 vtkSmartPointer<vtkImageData> MakeTwoFlows()
 {
   vtkSmartPointer<vtkImageData> voxels = MakeFlowVoxels(13, &TwoSurfaces, { { { 8, 1, 0 } } });
@@ -65,6 +93,105 @@ vtkSmartPointer<vtkImageData> MakeStripes(double frequency, double alpha)
     [=](double u, double v) {
       return Color4{ { 0.5 + 0.5 * std::sin(frequency * u), v, 0.3, alpha } };
     });
+}
+
+void SetCoefficients(
+  vtkVolumeProperty* property, double unitDistance, double ambient, double diffuse)
+{
+  property->SetScalarOpacityUnitDistance(unitDistance);
+  property->SetAmbient(ambient);
+  property->SetDiffuse(diffuse);
+  property->SetSpecular(0.0);
+}
+
+LightError CompareLight(const RgbaPicture& found, const RgbaPicture& expected)
+{
+  LightError error;
+  for (int pixel = 0; pixel < found.Width * found.Height; ++pixel)
+  {
+    const double* drawn = found.At(pixel % found.Width, pixel / found.Width);
+    const double* wanted = expected.At(pixel % found.Width, pixel / found.Width);
+    if (wanted[3] < 0.1 || std::abs(drawn[3] - wanted[3]) > 0.01)
+    {
+      continue;
+    }
+    ++error.Pixels;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double off = std::abs(drawn[c] / drawn[3] - wanted[c] / wanted[3]);
+      error.Mean += off / 3.0;
+      error.Largest = std::max(error.Largest, off);
+    }
+  }
+  error.Mean /= std::max(error.Pixels, 1);
+  return error;
+}
+
+FlowShow::FlowShow()
+  : Stage(std::array<int, 2>{ { 40, 40 } })
+  , Voxels(MakeTwoFlows())
+  , Camera(LookAlong({ { -0.4, 0.6, -0.9 } }))
+{
+  this->Mapper->SetInputData(static_cast<vtkDataSet*>(this->Voxels));
+  this->Stage.SetVolume(this->Mapper, this->Property);
+  this->Stage.SetCamera(this->Camera);
+}
+
+const vtkImplicitFlowVolumeReport& FlowShow::Draw()
+{
+  this->Stage.Render();
+  return this->Mapper->GetReport();
+}
+
+void FlowShow::Apply(const State& state)
+{
+  const auto is = [&state](int i) { return state[i] > 0.5; };
+  this->Gate->RemoveAllPoints();
+  this->Gate->AddPoint(0.0, state[9]);
+  this->Gate->AddPoint(1.0, 1.0 - state[9]);
+  this->Mapper->SetTimeGate(is(9) ? this->Gate.Get() : nullptr);
+  this->Mapper->SetOpacityArray(is(10) ? "Speed" : "");
+  this->Mapper->SetShadingArray(is(11) ? "Ways" : (is(10) ? "Speed" : ""));
+  this->Property->SetShade(is(12));
+  this->Mapper->RemoveAllClippingPlanes();
+  if (is(13))
+  {
+    vtkNew<vtkPlane> plane;
+    plane->SetNormal(state[13], -0.3, 0.2);
+    this->Mapper->AddClippingPlane(plane);
+  }
+  this->Mapper->SetCropping(is(14));
+  this->Mapper->SetCroppingRegionPlanes(-0.3, 0.4, -0.5, 0.2, -0.1, 0.5);
+  this->Mapper->SetCroppingRegionFlags(state[14] > 0.75 ? VTK_CROP_FENCE : VTK_CROP_SUBVOLUME);
+  this->Mapper->SetPaintFilter(is(15));
+  this->Camera->SetParallelProjection(is(16));
+}
+
+void CheckRandomStates(const std::function<std::unique_ptr<FlowShow>()>& make,
+  const std::function<void(const vtkImplicitFlowVolumeReport&)>& see, Check& check)
+{
+  const std::unique_ptr<FlowShow> kept = make();
+  Random random(21);
+  double largest = 0.0;
+  for (int change = 0; change < 24; ++change)
+  {
+    FlowShow::State state;
+    for (double& value : state)
+    {
+      value = random.Get(0.0, 1.0);
+    }
+    kept->Apply(state);
+    const RgbaPicture after = kept->Stage.Capture();
+    const std::unique_ptr<FlowShow> fresh = make();
+    fresh->Apply(state);
+    const PictureError error = ComparePictures(after, fresh->Stage.Capture());
+    const vtkImplicitFlowVolumeReport& report = kept->Mapper->GetReport();
+    check.Near(
+      error.Max, 0.0, 0.0, "change " + std::to_string(change) + ", " + report.Features, 1.0);
+    see(report);
+    largest = std::max(largest, LargestAlpha(after));
+  }
+  check.That(largest > 0.2, "something is seen");
 }
 
 }

@@ -3,7 +3,6 @@
 // round to, and where paint is small: nothing is mixed, and letters stay legible.
 #include "FlowDrawing.h"
 
-#include "Support/Pictures/PictureSettings.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCamera.h"
@@ -39,7 +38,7 @@ FlowScene MakeScene(const FlowFormula& flow, const Place3& direction)
   scene.Flow = flow;
   scene.Size = { { 64, 64 } };
   scene.UnitDistance = 0.01;
-  scene.Camera = LookAt({ { 0.0, 0.0, 0.0 } }, 0.87, direction, true);
+  scene.Camera = LookAlong(direction, true);
   return scene;
 }
 

@@ -9,14 +9,9 @@
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkImplicitFlowVolumeMapper.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkTestErrorObserver.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkVolumeProperty.h"
-
-#include "Support/Pictures/VolumeStage.h"
 
 #include <cmath>
 #include <limits>
@@ -29,25 +24,10 @@ using namespace reference;
 
 const double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
-FlowEnd Uniform(const Place3& x)
-{
-  return { true, 0, x[1] + 0.5, x[2] + 0.5, x[0] + 0.5 };
-}
-
-Color4 Blob(double u, double v)
-{
-  const double r = std::hypot(u - 0.5, v - 0.45) / 0.3;
-  return { { u, 0.4, v, 0.6 * std::exp(-r * r) } };
-}
-
 FlowScene MakeScene()
 {
-  FlowScene scene;
-  scene.Flow = &Uniform;
+  FlowScene scene = MakeBlobScene();
   scene.Size = { { 32, 32 } };
-  scene.Paint = [](const FlowEnd& answer) { return Blob(answer.U, answer.V); };
-  scene.UnitDistance = 0.3;
-  scene.Camera = LookAt({ { 0.0, 0.0, 0.0 } }, 0.87, { { -0.5, 0.6, -0.4 } }, false);
   return scene;
 }
 

@@ -3,14 +3,11 @@
 // formula: an image through uniform flow, a rotation, a strained flow on finer and finer voxels.
 #include "FlowDrawing.h"
 
-#include "Support/Pictures/PictureSettings.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
-#include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkMath.h"
-#include "vtkNew.h"
 #include "vtkPlane.h"
 
 #include <algorithm>
@@ -32,16 +29,6 @@ Color4 Blocks(double u, double v)
   const int j = static_cast<int>(6.0 * v);
   return { { 0.2 * (i % 5), 0.25 * (j % 4), 0.5 * ((i + j) % 3),
     (i + 2 * j) % 5 == 0 ? 0.0 : 1.0 } };
-}
-
-FlowEnd Uniform(const Place3& x)
-{
-  return { true, 0, x[1] + 0.5, x[2] + 0.5, x[0] + 0.5 };
-}
-
-vtkSmartPointer<vtkCamera> LookAlong(const Place3& direction, bool isParallel)
-{
-  return LookAt({ { 0.0, 0.0, 0.0 } }, 0.87, direction, isParallel);
 }
 
 /// A painted image comes through uniform flow unchanged, in any cross-section.
@@ -158,7 +145,7 @@ void TestOrder(Check& check, const std::string& name, const FlowFormula& flow,
   scene.Flow = flow;
   scene.Paint = &Discs;
   scene.UnitDistance = 0.4;
-  scene.Camera = LookAlong(direction, false);
+  scene.Camera = LookAlong(direction);
   const RgbaPicture expected = MakeFlowPicture(scene);
   vtkSmartPointer<vtkImageData> paint = PaintDiscs();
   double before = 0.0;

@@ -4,7 +4,6 @@
 #include "FlowDrawing.h"
 
 #include "Support/Pictures/PictureSettings.h"
-#include "Support/Pictures/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkActor.h"
@@ -14,10 +13,7 @@
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkImplicitFlowField.h"
-#include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkInflowMapping.h"
-#include "vtkNew.h"
-#include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
@@ -40,27 +36,6 @@ namespace
 
 using namespace reference;
 
-FlowEnd Uniform(const Place3& x)
-{
-  return { true, 0, x[1] + 0.5, x[2] + 0.5, x[0] + 0.5 };
-}
-
-Color4 Blob(double u, double v)
-{
-  const double r = std::hypot(u - 0.5, v - 0.45) / 0.3;
-  return { { u, 0.4, v, 0.6 * std::exp(-r * r) } };
-}
-
-FlowScene MakeScene()
-{
-  FlowScene scene;
-  scene.Flow = &Uniform;
-  scene.Paint = [](const FlowEnd& answer) { return Blob(answer.U, answer.V); };
-  scene.UnitDistance = 0.3;
-  scene.Camera = LookAt({ { 0.0, 0.0, 0.0 } }, 0.87, { { -0.5, 0.6, -0.4 } }, false);
-  return scene;
-}
-
 vtkSmartPointer<vtkImageData> MakeBlob()
 {
   return MakePaint(129, 129, &Blob);
@@ -69,7 +44,7 @@ vtkSmartPointer<vtkImageData> MakeBlob()
 /// Half of the cube by each way to cut.
 void TestCuts(Check& check)
 {
-  FlowScene scene = MakeScene();
+  FlowScene scene = MakeBlobScene();
   const auto compare = [&](
                          vtkImplicitFlowVolumeMapper* mapper, const std::string& what, double bound)
   {
@@ -141,7 +116,7 @@ void TestCuts(Check& check)
 /// Two thin sheets with nothing before, between and behind them, which is passed over.
 void TestSheets(Check& check)
 {
-  FlowScene scene = MakeScene();
+  FlowScene scene = MakeBlobScene();
   // Borders lie in the middle between the voxels that reached a surface and those that did not.
   const double h = 1.0 / 32.0;
   const auto sheets = [h](const Place3& x)
@@ -167,7 +142,7 @@ void TestOpaque(Check& check)
 {
   for (const bool isParallel : { false, true })
   {
-    FlowScene scene = MakeScene();
+    FlowScene scene = MakeBlobScene();
     scene.Camera->SetParallelProjection(isParallel);
     vtkNew<vtkPlaneSource> source;
     source->SetOrigin(0.05, -3.0, -3.0);
@@ -190,7 +165,7 @@ void TestOpaque(Check& check)
     stage.SetCamera(scene.Camera);
     stage.AddActor(pane);
     const RgbaPicture found = stage.Capture();
-    check.That(mapper->GetReport().Features.find("opaque") != std::string::npos, "the feature");
+    check.Contains(mapper->GetReport().Features, "opaque");
     scene.IsKept = [](const Place3& x) { return x[0] > 0.05; };
     const RgbaPicture expected = MakeFlowPicture(scene, 800);
     double largest = 0.0;
@@ -223,7 +198,7 @@ void TestOpaque(Check& check)
 /// Two renderers side by side have a picture each.
 void TestRenderers(Check& check)
 {
-  FlowScene scene = MakeScene();
+  FlowScene scene = MakeBlobScene();
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
@@ -309,10 +284,10 @@ void TestRoutes(Check& check)
   volume->SetInterval(0, limit, 2.0);
   volume->Update();
 
-  FlowScene scene = MakeScene();
+  FlowScene scene = MakeBlobScene();
   scene.Size = { { 96, 96 } };
   scene.UnitDistance = 1.0;
-  scene.Camera = LookAt({ { 0.0, 0.0, 0.0 } }, 0.87, { { -0.3, 0.9, -0.4 } }, true);
+  scene.Camera = LookAlong({ { -0.3, 0.9, -0.4 } }, true);
   vtkNew<vtkImplicitFlowVolumeMapper> textured;
   textured->SetInflowTexture(0,
     MakePaint(513, 513,

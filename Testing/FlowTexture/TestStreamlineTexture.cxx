@@ -440,7 +440,7 @@ void TestPrinted(Check& check)
   texture->SetTexelsPerLine(256);
   std::ostringstream printed;
   texture->Print(printed);
-  check.That(printed.str().find("TexelsPerLine: 256") != std::string::npos, "printed");
+  check.Contains(printed.str(), "TexelsPerLine: 256");
 }
 
 }

@@ -175,8 +175,7 @@ void RunDamage(FuzzRandom& random, std::string& text, reference::Check& check)
   for (int i = 0; i < 3; ++i)
   {
     const std::string message = CheckRun(makers[i], true, check);
-    check.That(message.find(named) != std::string::npos,
-      context[i] + ": \"" + named + "\" in \"" + message + "\"");
+    check.Contains(message, named);
   }
 }
 

@@ -336,8 +336,7 @@ void CheckContactError(Check& check)
   mesher->SetInputData(surface);
   mesher->SplitContactsOff();
   mesher->Update();
-  check.That(observer->GetErrorMessage().find("Cells 1 and 6 touch") != std::string::npos,
-    "the cells are named: " + observer->GetErrorMessage());
+  check.Contains(observer->GetErrorMessage(), "Cells 1 and 6 touch");
   check.Equal(mesher->GetOutput()->GetNumberOfCells(), 0, "cells");
 }
 

@@ -273,26 +273,15 @@ void CheckRefusals(Check& check)
   vtkNew<vtkSpatialTurbulence> middle;
   Sample sample;
   const double x[3] = { 0.0, 0.0, 0.0 };
-  check.That(
-    ErrorsOf(outer, [&] { outer->Evaluate(x, sample); }).find("no operand") != std::string::npos,
-    "no operand is an error");
+  check.Contains(ErrorsOf(outer, [&] { outer->Evaluate(x, sample); }), "no operand");
   middle->SetOperand(inner);
   outer->AddOperand(middle);
-  check.That(ErrorsOf(inner, [&] { inner->AddOperand(outer); }).find("among its own parts") !=
-      std::string::npos,
-    "a cycle is an error");
-  check.That(ErrorsOf(inner, [&] { inner->AddOperand(inner); }).find("among its own parts") !=
-      std::string::npos,
-    "a cycle of one is an error");
-  check.That(ErrorsOf(middle, [&] { middle->SetOperand(outer); }).find("among its own parts") !=
-      std::string::npos,
-    "a cycle through a turbulence is an error");
-  check.That(ErrorsOf(outer, [&] { outer->AddOperand(nullptr); }).find("null") != std::string::npos,
-    "null is an error");
+  check.Contains(ErrorsOf(inner, [&] { inner->AddOperand(outer); }), "among its own parts");
+  check.Contains(ErrorsOf(inner, [&] { inner->AddOperand(inner); }), "among its own parts");
+  check.Contains(ErrorsOf(middle, [&] { middle->SetOperand(outer); }), "among its own parts");
+  check.Contains(ErrorsOf(outer, [&] { outer->AddOperand(nullptr); }), "null");
   check.Equal(inner->GetNumberOfOperands(), 0, "operands after refusals");
-  check.That(
-    ErrorsOf(outer, [&] { outer->Evaluate(x, sample); }).find("no operand") != std::string::npos,
-    "what is wrong with a part is told of the whole");
+  check.Contains(ErrorsOf(outer, [&] { outer->Evaluate(x, sample); }), "no operand");
   // An object may be a part more than once.
   vtkNew<vtkSpatialPrimitive> shared;
   inner->AddOperand(shared);

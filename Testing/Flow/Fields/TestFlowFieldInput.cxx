@@ -51,7 +51,7 @@ vtkSmartPointer<vtkImplicitFlowField> NewFilter(vtkDataObject* input)
 void Expect(vtkAlgorithm* filter, const std::string& part, Check& check)
 {
   const std::string found = MessagesOf(filter);
-  check.That(found.find(part) != std::string::npos, "\"" + part + "\" in \"" + found + "\"");
+  check.Contains(found, part);
 }
 
 vtkSmartPointer<vtkImageData> MakeBlock(int start, int type)
@@ -105,7 +105,7 @@ void TestBoundary(Check& check)
   vtkNew<vtkFlowCriticalPoints> points;
   points->SetInputData(both);
   const std::string none = WarningsOf(points);
-  check.That(none.find("no isolated critical point") != std::string::npos, "critical points too");
+  check.Contains(none, "no isolated critical point");
   // As a block of its own, with or without vectors.
   vtkNew<vtkPolyData> patch;
   patch->SetPoints(grid->GetPoints());

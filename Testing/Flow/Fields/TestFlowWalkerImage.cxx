@@ -152,7 +152,7 @@ void CheckBlanking(Check& check)
         "a point on its other face is in that neighbour");
       const Vector corner = { { 2.0, 1.0, 1.0 } };
       check.That(walker.Locate(corner.data(), p.data()), "a corner is in a cell of the field");
-      check.Near(GetNorm(Subtract(PositionOf(walker, p), corner)), 0.0, 1e-15, "at its place", 1.0);
+      check.Near(GetNorm(PositionOf(walker, p) - corner), 0.0, 1e-15, "at its place", 1.0);
     });
 
   check.SetContext("hidden points");
@@ -238,8 +238,7 @@ void CheckTypes(Check& check)
           const Vector x = { { 0.25, 1.5, 2.75 } };
           Vector p;
           check.That(walker.Locate(x.data(), p.data()), "the place is found");
-          check.Near(
-            GetNorm(Subtract(VelocityOf(walker, p), field(x))), 0.0, 1e-14, "velocity", 1.0);
+          check.Near(GetNorm(VelocityOf(walker, p) - field(x)), 0.0, 1e-14, "velocity", 1.0);
           check.Equal(walker.GetField().GetNumberOfArrays(), 1, "arrays");
           check.Near(walker.Interpolate(0, p.data()), 11.5, 1e-14, "an array's value");
           check.Near(walker.GetField().GetMaximumSpeed(), std::sqrt(9.0 + 25.0 + 16.0), 1e-15,

@@ -113,8 +113,8 @@ void CheckSeam(Check& check)
           p[1] = around == 3 ? 1.0 : 0.0;
           const Vector before = PositionOf(walker, p);
           check.That(walker.Cross(around, p.data()), "the next cell around");
-          check.Near(GetNorm(Subtract(PositionOf(walker, p), before)), 0.0, 1e-15,
-            "the position stays", 1.0);
+          check.Near(
+            GetNorm(PositionOf(walker, p) - before), 0.0, 1e-15, "the position stays", 1.0);
         }
         check.Equal(walker.GetCell(), first, "once around");
         check.That(!walker.Cross(4, p.data()) || walker.GetDomainFace(5) == -1, "sides along z");
@@ -166,11 +166,9 @@ void CheckCut(Check& check)
       check.That(walker.Cross(2, p.data()), "the cut is crossed");
       check.Equal(walker.GetCell(), 1, "behind the cut");
       check.Near(p[1], 0.0, 0.0, "on the cut", 1.0);
-      check.Near(
-        GetNorm(Subtract(PositionOf(walker, p), before)), 0.0, 1e-15, "the position stays", 1.0);
+      check.Near(GetNorm(PositionOf(walker, p) - before), 0.0, 1e-15, "the position stays", 1.0);
       check.That(walker.Cross(2, p.data()) && walker.GetCell() == 4, "and back");
-      check.Near(
-        GetNorm(Subtract(PositionOf(walker, p), before)), 0.0, 1e-15, "the position stays", 1.0);
+      check.Near(GetNorm(PositionOf(walker, p) - before), 0.0, 1e-15, "the position stays", 1.0);
     });
 }
 
@@ -247,7 +245,7 @@ void CheckStraightCorner(Check& check)
       p = { { 0.0, 0.0, 0.25 } };
       Vector rate;
       walker.GetVelocity(p.data(), rate.data());
-      check.Near(GetNorm(Subtract(VelocityOf(walker, p), expected)), 0.0, 1e-12,
+      check.Near(GetNorm(VelocityOf(walker, p) - expected), 0.0, 1e-12,
         "the velocity along the other columns", 1.0);
       check.Near(rate[0] - 0.6 * rate[1], 0.7, 1e-12, "one of the two is enough");
       check.Near(rate[0] * rate[1], 0.0, 1e-12, "and the other stays", 1.0);
@@ -309,8 +307,8 @@ void CheckDistorted(Check& check)
         {
           sample = SampleCell(grid, vectors, 0, random);
           check.That(walker.Locate(sample.Position.data(), p.data()), "the place is found");
-          check.Near(GetNorm(Subtract(VelocityOf(walker, p), sample.Velocity)), 0.0, 1e-9,
-            "its velocity", 1.0);
+          check.Near(
+            GetNorm(VelocityOf(walker, p) - sample.Velocity), 0.0, 1e-9, "its velocity", 1.0);
         }
       });
   }
@@ -335,7 +333,7 @@ void CheckFolded(Check& check)
         Vector p;
         if (walker.Locate(x.data(), p.data()))
         {
-          check.Near(GetNorm(Subtract(PositionOf(walker, p), x)), 0.0, 1e-10, "position", 1.0);
+          check.Near(GetNorm(PositionOf(walker, p) - x), 0.0, 1e-10, "position", 1.0);
           Vector rate;
           walker.GetVelocity(p.data(), rate.data());
           check.That(std::isfinite(GetNorm(rate)), "the velocity is finite");

@@ -89,8 +89,7 @@ void CheckApex(Check& check)
         vectors->GetTuple(ids->GetId(4), expected.data());
         check.That(walker.Locate(x.data(), p.data()), "the apex is found");
         check.Near(p[2], 1.0, 1e-12, "at z = 1");
-        check.Near(
-          GetNorm(Subtract(VelocityOf(walker, p), expected)), 0.0, 1e-12, "its vector", 1.0);
+        check.Near(GetNorm(VelocityOf(walker, p) - expected), 0.0, 1e-12, "its vector", 1.0);
         Vector rate;
         std::array<double, 9> jacobian;
         walker.GetVelocity(p.data(), rate.data());

@@ -95,22 +95,21 @@ void CheckNormalsOfMesh(Check& check)
   for (std::size_t i = 0; i < mesh.Triangles.size(); i += 5)
   {
     const auto& t = mesh.Triangles[i];
-    Vector middle = Added(Added(mesh.Points[t[0]], mesh.Points[t[1]]), mesh.Points[t[2]]);
-    middle = Added({ { 0.0, 0.0, 0.0 } }, middle, 1.0 / 3.0);
+    Vector middle = mesh.Points[t[0]] + mesh.Points[t[1]] + mesh.Points[t[2]];
+    middle *= 1.0 / 3.0;
     Vector normal;
     surface->EvaluateNormal(middle.data(), normal.data());
     for (int axis = 0; axis < 3; ++axis)
     {
       Vector step = { { 0.0, 0.0, 0.0 } };
       step[axis] = 1e-6;
-      const double slope = (DistanceOf(surface, Added(middle, step)) -
-                             DistanceOf(surface, Added(middle, step, -1.0))) /
-        2e-6;
+      const double slope =
+        (DistanceOf(surface, middle + step) - DistanceOf(surface, middle - step)) / 2e-6;
       check.Near(slope, normal[axis], 1e-6, "gradient", 1.0);
     }
     const Vector& corner = mesh.Points[t[0]];
     surface->EvaluateNormal(corner.data(), normal.data());
-    check.Near(DotOf(normal, corner) / 0.7, 1.0, 0.01, "the normal of a vertex of a sphere");
+    check.Near(Dot(normal, corner) / 0.7, 1.0, 0.01, "the normal of a vertex of a sphere");
   }
 }
 
@@ -127,7 +126,7 @@ void CheckConvergence(Check& check)
     double error = 0.0;
     for (const Vector& x : PointsAround(SurfaceScale(), 1000, 4))
     {
-      error = std::max(error, std::abs(DistanceOf(surface, x) - (LengthOf(x) - 0.7)));
+      error = std::max(error, std::abs(DistanceOf(surface, x) - (GetNorm(x) - 0.7)));
     }
     check.That(before == 0.0 || (error < before / 3.5 && error > before / 4.5),
       "the error goes from " + std::to_string(before) + " to " + std::to_string(error));
@@ -148,7 +147,7 @@ void CheckOpen(const SurfaceScale& scale, Check& check)
   check.Equal(surface->GetNumberOfBorderEdges(), 22, "border edges");
   for (const Vector& x : PointsAround(scale, 1000, 6))
   {
-    const Vector p = Added(x, scale.Center, -1.0);
+    const Vector p = x - scale.Center;
     const double beyond =
       std::max({ std::abs(p[0]) - 0.5 * scale.Size, std::abs(p[1]) - 0.5 * scale.Size, 0.0 });
     check.Near(std::abs(DistanceOf(surface, x)), NearestDistance(mesh, x), 30.0 * scale.Rounding,
@@ -189,7 +188,7 @@ void CheckFan(Check& check)
     const int after = i + 1 == pieces ? 2 : 4 + i;
     if (i + 1 < pieces)
     {
-      points.push_back(Added(whole.Points[1], Added(whole.Points[2], whole.Points[1], -1.0), part));
+      points.push_back(whole.Points[1] + part * (whole.Points[2] - whole.Points[1]));
     }
     triangles.push_back({ { 0, before, after } });
     triangles.push_back({ { 3, after, before } });
@@ -208,8 +207,7 @@ void CheckFan(Check& check)
     Vector normals[2];
     surfaces[0]->EvaluateNormal(point.data(), normals[0].data());
     surfaces[1]->EvaluateNormal(point.data(), normals[1].data());
-    check.Near(
-      LengthOf(Added(normals[0], normals[1], -1.0)), 0.0, 1e-6, "the normal of a corner", 1.0);
+    check.Near(GetNorm(normals[0] - normals[1]), 0.0, 1e-6, "the normal of a corner", 1.0);
   }
   for (const Vector& x : HardPlaces(whole))
   {

@@ -140,7 +140,7 @@ void CheckDoubledPoints(Check& check)
     {
       // Apart by less than the tolerance, on either side of zero and of any grid.
       const double shift = (static_cast<double>(apart.Points.size() % 7) - 3.0) * 1e-10;
-      apart.Points.push_back(Added(star.Points[corner], { { shift, -shift, 0.5 * shift } }));
+      apart.Points.push_back(star.Points[corner] + Vector{ { shift, -shift, 0.5 * shift } });
       apart.Texture.push_back({ { 0.5, 0.01 * static_cast<double>(first) } });
     }
     apart.Triangles.push_back({ { first, first + 1, first + 2 } });
@@ -203,8 +203,7 @@ void CheckMessage(vtkPolyData* data, const std::string& expected, Check& check)
   surface->Update();
   surface->SetMesh(data);
   const std::string wrong = surface->Update();
-  check.That(
-    wrong.find(expected) != std::string::npos, "\"" + wrong + "\" has \"" + expected + "\"");
+  check.Contains(wrong, expected);
   check.That(!surface->Update().empty(), "it is wrong again");
   // Nothing is left of the mesh before, and nothing crashes.
   const Vector x = { { 0.0, 0.0, 0.0 } };

@@ -70,7 +70,7 @@ void CheckCylinder(const TexturedMesh& mesh, int columns, double shift, const Su
   {
     const double u = i < 100 ? random.Get(-0.02, 0.02) : random.Get(0.0, 1.0);
     const double v = random.Get(0.0, 1.0);
-    const Vector x = Added(scale.Center, OnCylinder(u - shift, v), scale.Size);
+    const Vector x = scale.Center + scale.Size * OnCylinder(u - shift, v);
     double uv[2];
     surface->EvaluateParameters(x.data(), uv);
     check.Near(uv[0] - u - std::round(uv[0] - u), 0.0, 2e-4, "u", 1.0);
@@ -81,12 +81,12 @@ void CheckCylinder(const TexturedMesh& mesh, int columns, double shift, const Su
     const double lifted[2] = { u - std::floor(u), v };
     Vector y;
     check.That(surface->EvaluatePoint(0, lifted, y.data()), "there is a point");
-    check.That(LengthOf(Added(y, x, -1.0)) < 0.01 * scale.Size, "and it is near");
+    check.That(GetNorm(y - x) < 0.01 * scale.Size, "and it is near");
   }
   for (double v : { -1e-5, 0.0, 1.0, 1.0 + 1e-5 })
   {
     // A corner of the mesh, which is on the cylinder.
-    const Vector x = Added(scale.Center, OnCylinder(2.0 / columns, v), scale.Size);
+    const Vector x = scale.Center + scale.Size * OnCylinder(2.0 / columns, v);
     check.That(surface->IsOn(x.data()) == (v == 0.0 || v == 1.0), "the ends");
   }
 }

@@ -40,18 +40,17 @@ Vector PointOf(const vtkTerminationSurface* surface, int part, double u, double 
 void CheckPlane(const SurfaceScale& scale, Check& check)
 {
   const Vector edges[2] = { { { 0.6, 0.2, -0.3 } }, { { 0.1, 0.9, 0.4 } } };
-  const Vector origin = Added(scale.Center, { { -0.3, -0.4, 0.1 } }, scale.Size);
-  const Vector point1 = Added(origin, edges[0], scale.Size);
-  const Vector point2 = Added(origin, edges[1], scale.Size);
+  const Vector origin = scale.Center + scale.Size * Vector{ { -0.3, -0.4, 0.1 } };
+  const Vector point1 = origin + scale.Size * edges[0];
+  const Vector point2 = origin + scale.Size * edges[1];
   vtkNew<vtkTerminationPlane> plane;
   plane->SetOrigin(origin.data());
   plane->SetPoint1(point1.data());
   plane->SetPoint2(point2.data());
   check.That(plane->Update().empty(), "plane: nothing is wrong");
-  const Vector cross = CrossOf(edges[0], edges[1]);
-  const Vector normal = Added({ { 0.0, 0.0, 0.0 } }, cross, 1.0 / LengthOf(cross));
-  const auto distance = [&normal, &origin](const Vector& x)
-  { return DotOf(normal, Added(x, origin, -1.0)); };
+  const Vector cross = Cross(edges[0], edges[1]);
+  const Vector normal = 1.0 / GetNorm(cross) * cross;
+  const auto distance = [&normal, &origin](const Vector& x) { return Dot(normal, x - origin); };
   CheckAll(plane, scale, distance, "plane", check);
   // In and out of the rectangle, near its borders and above it.
   for (double side : { -1e-6, 0.0, 1.0, 1.0 + 1e-6 })
@@ -60,9 +59,9 @@ void CheckPlane(const SurfaceScale& scale, Check& check)
     {
       const double reach = scale.Size * side;
       const bool isOn = side == 0.0 || side == 1.0;
-      const Vector lifted = Added(origin, normal, height * scale.Size);
-      const Vector acrossU = Added(Added(lifted, edges[0], reach), edges[1], 0.5 * scale.Size);
-      const Vector acrossV = Added(Added(lifted, edges[1], reach), edges[0], 0.5 * scale.Size);
+      const Vector lifted = origin + height * scale.Size * normal;
+      const Vector acrossU = lifted + reach * edges[0] + 0.5 * scale.Size * edges[1];
+      const Vector acrossV = lifted + reach * edges[1] + 0.5 * scale.Size * edges[0];
       check.That(plane->IsOn(acrossU.data()) == isOn, "plane: border of u");
       check.That(plane->IsOn(acrossV.data()) == isOn, "plane: border of v");
       double uv[2];
@@ -96,22 +95,20 @@ void CheckSphere(const SurfaceScale& scale, Check& check)
     check.That(sphere->Update().empty(), "sphere: nothing is wrong");
     CheckAll(
       sphere, scale,
-      [&scale](const Vector& x)
-      { return LengthOf(Added(x, scale.Center, -1.0)) - 0.7 * scale.Size; },
-      "sphere", check);
+      [&scale](const Vector& x) { return GetNorm(x - scale.Center) - 0.7 * scale.Size; }, "sphere",
+      check);
     // The poles, and counterclockwise around the axis from the one.
-    const double reach = 0.7 * scale.Size / LengthOf(axis);
+    const double reach = 0.7 * scale.Size / GetNorm(axis);
     for (double v : { 0.0, 1.0 })
     {
-      const Vector pole = Added(scale.Center, axis, v == 0.0 ? -reach : reach);
+      const Vector pole = scale.Center + (v == 0.0 ? -reach : reach) * axis;
       const Vector found = PointOf(sphere, 0, 0.3, v);
-      check.Near(LengthOf(Added(found, pole, -1.0)), 0.0, 2.0 * scale.Rounding, "sphere: a pole",
-        scale.Size);
+      check.Near(GetNorm(found - pole), 0.0, 2.0 * scale.Rounding, "sphere: a pole", scale.Size);
     }
-    const Vector first = Added(PointOf(sphere, 0, 0.1, 0.5), scale.Center, -1.0);
-    const Vector second = Added(PointOf(sphere, 0, 0.2, 0.5), scale.Center, -1.0);
-    const Vector turn = CrossOf(first, second);
-    check.Near(DotOf(turn, axis) / (LengthOf(axis) * 0.49 * scale.Size * scale.Size),
+    const Vector first = PointOf(sphere, 0, 0.1, 0.5) - scale.Center;
+    const Vector second = PointOf(sphere, 0, 0.2, 0.5) - scale.Center;
+    const Vector turn = Cross(first, second);
+    check.Near(Dot(turn, axis) / (GetNorm(axis) * 0.49 * scale.Size * scale.Size),
       std::sin(0.2 * Pi), 1e-5, "sphere: a tenth of a turn");
   }
 }
@@ -123,7 +120,7 @@ void CheckSeam(const vtkTerminationSurface* surface, const SurfaceScale& scale,
   for (double v : { 0.2, 0.7 })
   {
     const Vector place = PointOf(surface, 0, 0.0, v);
-    check.Near(LengthOf(Added(place, PointOf(surface, 0, 1.0, v), -1.0)), 0.0, scale.Rounding,
+    check.Near(GetNorm(place - PointOf(surface, 0, 1.0, v)), 0.0, scale.Rounding,
       name + ": both sides of the seam", scale.Size);
     double low[2];
     double high[2];
@@ -158,23 +155,23 @@ void CheckCylinder(const SurfaceScale& scale, Check& check)
   const Vector axis = { { 0.6, -0.48, 0.64 } };
   const double radius = 0.4;
   const double length = 1.3;
-  const Vector point1 = Added(scale.Center, axis, -0.5 * length * scale.Size);
-  const Vector point2 = Added(scale.Center, axis, 0.5 * length * scale.Size);
+  const Vector point1 = scale.Center - 0.5 * length * scale.Size * axis;
+  const Vector point2 = scale.Center + 0.5 * length * scale.Size * axis;
   vtkNew<vtkTerminationCylinder> cylinder;
   cylinder->SetPoint1(point1.data());
   cylinder->SetPoint2(point2.data());
   cylinder->SetRadius(radius * scale.Size);
   check.That(cylinder->Update().empty(), "cylinder: nothing is wrong");
   const auto wall = [&](const Vector& x)
-  { return LengthOf(CrossOf(Added(x, scale.Center, -1.0), axis)) - radius * scale.Size; };
+  { return GetNorm(Cross(x - scale.Center, axis)) - radius * scale.Size; };
   const auto end = [&](const Vector& x)
-  { return std::abs(DotOf(Added(x, scale.Center, -1.0), axis)) - 0.5 * length * scale.Size; };
+  { return std::abs(Dot(x - scale.Center, axis)) - 0.5 * length * scale.Size; };
   CheckAll(cylinder, scale, wall, "cylinder", check);
   CheckSeam(cylinder, scale, "cylinder", check);
   for (double v : { -1e-6, 0.0, 0.5, 1.0, 1.0 + 1e-6 })
   {
     Vector x = PointOf(cylinder, 0, 0.35, 0.0);
-    x = Added(x, axis, v * length * scale.Size);
+    x += v * length * scale.Size * axis;
     check.That(cylinder->IsOn(x.data()) == (v >= 0.0 && v <= 1.0), "cylinder: its ends");
     double uv[2];
     cylinder->EvaluateParameters(x.data(), uv);
@@ -197,12 +194,12 @@ void CheckCylinder(const SurfaceScale& scale, Check& check)
   const Vector caps[2] = { point1, point2 };
   for (int cap = 0; cap < 2; ++cap)
   {
-    check.Near(LengthOf(Added(PointOf(cylinder, 1 + cap, 0.5, 0.5), caps[cap], -1.0)), 0.0,
-      2.0 * scale.Rounding, "capped cylinder: the middle of a cap", scale.Size);
+    check.Near(GetNorm(PointOf(cylinder, 1 + cap, 0.5, 0.5) - caps[cap]), 0.0, 2.0 * scale.Rounding,
+      "capped cylinder: the middle of a cap", scale.Size);
     // The angle of wall and cap is the same.
     const Vector rim = PointOf(cylinder, 0, 0.25, cap);
-    check.Near(LengthOf(Added(PointOf(cylinder, 1 + cap, 0.5, 1.0), rim, -1.0)), 0.0,
-      2.0 * scale.Rounding, "capped cylinder: a quarter of a turn", scale.Size);
+    check.Near(GetNorm(PointOf(cylinder, 1 + cap, 0.5, 1.0) - rim), 0.0, 2.0 * scale.Rounding,
+      "capped cylinder: a quarter of a turn", scale.Size);
     const double corner[2] = { 0.05, 0.05 };
     Vector x;
     check.That(!cylinder->EvaluatePoint(1 + cap, corner, x.data()), "no point beyond a disc");

@@ -29,8 +29,7 @@ const double Infinity = std::numeric_limits<double>::infinity();
 void CheckMessage(vtkTerminationSurface* surface, const std::string& expected, Check& check)
 {
   const std::string wrong = surface->Update();
-  check.That(
-    wrong.find(expected) != std::string::npos, "\"" + wrong + "\" has \"" + expected + "\"");
+  check.Contains(wrong, expected);
   // Nothing crashes.
   const Vector x = { { 0.1, 0.2, 0.3 } };
   Vector y;

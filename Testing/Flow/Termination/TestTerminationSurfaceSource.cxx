@@ -79,20 +79,18 @@ void CheckSurface(vtkTerminationSurface* surface, int resolution,
       const double* uv = texture->GetTuple(point);
       Vector again;
       check.That(surface->EvaluatePoint(id - surface->GetId(), uv, again.data()) &&
-          LengthOf(Added(again, corners[k], -1.0)) < 1e-12,
+          GetNorm(again - corners[k]) < 1e-12,
         "the parameters of a point");
       Vector normal;
       normals->GetTuple(point, normal.data());
-      check.Near(LengthOf(normal), 1.0, 1e-9, "length of a normal");
-      mean = Added(mean, normal);
+      check.Near(GetNorm(normal), 1.0, 1e-9, "length of a normal");
+      mean += normal;
     }
-    const Vector cross =
-      CrossOf(Added(corners[1], corners[0], -1.0), Added(corners[2], corners[0], -1.0));
+    const Vector cross = Cross(corners[1] - corners[0], corners[2] - corners[0]);
     // Specks at a rim may lie in the rim's plane.
-    check.That(
-      LengthOf(cross) < 1e-6 || DotOf(cross, mean) > 0.9 * LengthOf(cross) * LengthOf(mean),
+    check.That(GetNorm(cross) < 1e-6 || Dot(cross, mean) > 0.9 * GetNorm(cross) * GetNorm(mean),
       "triangles and normals face the same way");
-    found[id] += 0.5 * LengthOf(cross);
+    found[id] += 0.5 * GetNorm(cross);
   }
   check.Equal(static_cast<long long>(found.size()), static_cast<long long>(areas.size()), "parts");
   for (const auto& area : areas)
@@ -156,12 +154,11 @@ void CheckErrors(Check& check)
 {
   check.SetContext("messages");
   vtkNew<vtkTerminationSurfaceSource> source;
-  check.That(MessagesOf(source).find("call SetSurface") != std::string::npos, "no surface");
+  check.Contains(MessagesOf(source), "call SetSurface");
   vtkNew<vtkTerminationSphere> sphere;
   sphere->SetRadius(-1.0);
   source->SetSurface(sphere);
-  check.That(
-    MessagesOf(source).find("radius is not finite and above 0") != std::string::npos, "a radius");
+  check.Contains(MessagesOf(source), "radius is not finite and above 0");
   check.Equal(source->GetOutput()->GetNumberOfPoints(), 0, "empty output");
   sphere->SetRadius(1.0);
   check.That(MessagesOf(source).empty(), "a good radius");

@@ -52,10 +52,10 @@ double DistanceFromLine(const std::vector<Vector>& line, const Vector& x)
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < line.size(); ++i)
   {
-    const Vector side = Added(line[i + 1], line[i], -1.0);
-    const Vector p = Added(x, line[i], -1.0);
-    const double t = std::max(0.0, std::min(DotOf(p, side) / DotOf(side, side), 1.0));
-    nearest = std::min(nearest, LengthOf(Added(p, side, -t)));
+    const Vector side = line[i + 1] - line[i];
+    const Vector p = x - line[i];
+    const double t = std::max(0.0, std::min(Dot(p, side) / Dot(side, side), 1.0));
+    nearest = std::min(nearest, GetNorm(p - t * side));
   }
   return nearest;
 }
@@ -88,7 +88,7 @@ void CheckContinuity(vtkTerminationTube* tube, const SurfaceScale& scale, double
     {
       const Vector x = pointAt(u, static_cast<double>(i) / steps);
       // Between bends the places come close on the inside and go apart on the outside.
-      check.That(LengthOf(Added(x, before, -1.0)) < 0.02 * scale.Size, name + ": no jump along");
+      check.That(GetNorm(x - before) < 0.02 * scale.Size, name + ": no jump along");
       before = x;
     }
   }
@@ -97,7 +97,7 @@ void CheckContinuity(vtkTerminationTube* tube, const SurfaceScale& scale, double
   {
     const double v = random.Get(0.01, 0.99);
     const Vector x = pointAt(random.Get(0.0, 1.0), v);
-    const Vector y = Added(x, random.GetDirection(), 1e-5 * scale.Size);
+    const Vector y = x + 1e-5 * scale.Size * random.GetDirection();
     double a[2];
     double b[2];
     tube->EvaluateParameters(x.data(), a);
@@ -117,7 +117,7 @@ void CheckTube(const std::vector<Vector>& unit, double radius, const SurfaceScal
   line.reserve(unit.size());
   for (const Vector& point : unit)
   {
-    line.push_back(Added(scale.Center, point, scale.Size));
+    line.push_back(scale.Center + scale.Size * point);
   }
   vtkNew<vtkTerminationTube> tube;
   SetPoints(tube, line);
@@ -143,14 +143,14 @@ void CheckTube(const std::vector<Vector>& unit, double radius, const SurfaceScal
   for (int end = 0; end < 2; ++end)
   {
     const Vector& tip = end ? line.back() : line.front();
-    const Vector inward = Added(end ? line[line.size() - 2] : line[1], tip, -1.0);
+    const Vector inward = (end ? line[line.size() - 2] : line[1]) - tip;
     for (double step : { -1e-3, 1e-3 })
     {
       Vector x;
       const double uv[2] = { 0.3, end ? 1.0 : 0.0 };
       check.That(tube->EvaluatePoint(0, uv, x.data()), "there is a rim");
       check.That(tube->IsOn(x.data()), "the rim is on the surface");
-      x = Added(x, inward, step);
+      x += step * inward;
       check.That(tube->IsOn(x.data()) == (step > 0.0), "the ends are open");
     }
   }
@@ -169,15 +169,13 @@ void CheckTube(const std::vector<Vector>& unit, double radius, const SurfaceScal
     Vector a;
     Vector b;
     const Vector& tip = end ? line.back() : line.front();
-    const Vector outward = Added(tip, end ? line[line.size() - 2] : line[1], -1.0);
+    const Vector outward = tip - (end ? line[line.size() - 2] : line[1]);
     tube->EvaluatePoint(1 + end, middle, a.data());
-    b = Added(tip, outward, radius * scale.Size / LengthOf(outward));
-    check.Near(
-      LengthOf(Added(a, b, -1.0)), 0.0, 5.0 * scale.Rounding, "the tip of an end", scale.Size);
+    b = tip + radius * scale.Size / GetNorm(outward) * outward;
+    check.Near(GetNorm(a - b), 0.0, 5.0 * scale.Rounding, "the tip of an end", scale.Size);
     tube->EvaluatePoint(1 + end, quarter, a.data());
     tube->EvaluatePoint(0, rim, b.data());
-    check.Near(
-      LengthOf(Added(a, b, -1.0)), 0.0, 5.0 * scale.Rounding, "the rim of an end", scale.Size);
+    check.Near(GetNorm(a - b), 0.0, 5.0 * scale.Rounding, "the rim of an end", scale.Size);
   }
 }
 
@@ -190,13 +188,13 @@ void CheckStraight(Check& check)
   vtkNew<vtkTerminationTube> tube;
   for (double t : { 0.0, 0.0, 0.1, 0.35, 0.35, 0.6, 1.0, 1.0 })
   {
-    const Vector x = Added(start, way, t);
+    const Vector x = start + t * way;
     tube->AddPoint(x[0], x[1], x[2]);
   }
   tube->SetRadius(0.25);
   check.That(tube->Update().empty(), "nothing is wrong");
   vtkNew<vtkTerminationCylinder> cylinder;
-  const Vector end = Added(start, way);
+  const Vector end = start + way;
   cylinder->SetPoint1(start.data());
   cylinder->SetPoint2(end.data());
   cylinder->SetRadius(0.25);
@@ -209,7 +207,7 @@ void CheckStraight(Check& check)
     Vector y;
     tube->EvaluatePoint(0, uv, x.data());
     cylinder->EvaluatePoint(0, uv, y.data());
-    check.Near(LengthOf(Added(x, y, -1.0)), 0.0, 1e-13, "the point of the cylinder", 1.0);
+    check.Near(GetNorm(x - y), 0.0, 1e-13, "the point of the cylinder", 1.0);
   }
 }
 
@@ -250,7 +248,7 @@ void CheckData(Check& check)
   const auto expectMessage = [&](const std::string& text)
   {
     const std::string wrong = tube->Update();
-    check.That(wrong.find(text) != std::string::npos, "\"" + wrong + "\" has \"" + text + "\"");
+    check.Contains(wrong, text);
   };
   lines->InsertNextCell({ 0, 1 });
   data->SetLines(lines);
@@ -280,8 +278,7 @@ void CheckMessages(Check& check)
     vtkNew<vtkTerminationTube> tube;
     SetPoints(tube, one.first);
     const std::string wrong = tube->Update();
-    check.That(
-      wrong.find(one.second) != std::string::npos, "\"" + wrong + "\" has \"" + one.second + "\"");
+    check.Contains(wrong, one.second);
     const Vector x = { { 0.1, 0.2, 0.3 } };
     Vector y;
     double uv[2] = { 0.5, 0.5 };
@@ -299,7 +296,7 @@ void CheckMessages(Check& check)
   for (double radius : { 0.0, -1.0, notANumber })
   {
     tube->SetRadius(radius);
-    check.That(tube->Update().find("radius") != std::string::npos, "a radius that is none");
+    check.Contains(tube->Update(), "radius");
   }
   Vector point = { { 7.0, 7.0, 7.0 } };
   tube->GetPoint(2, point.data());

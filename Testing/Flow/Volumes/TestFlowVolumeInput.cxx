@@ -117,7 +117,7 @@ void CheckErrors(Check& check)
     one.Spoil(volume, input);
     volume->SetInputData(input);
     const std::string message = MessagesOf(volume);
-    check.That(message.find(one.Part) != std::string::npos, "is told, not " + message);
+    check.Contains(message, one.Part);
     for (int port = 0; port < 3; ++port)
     {
       check.Equal(volume->GetOutput(port)->GetNumberOfCells(), 0, "no output");
@@ -129,12 +129,10 @@ void CheckErrors(Check& check)
   vtkNew<vtkTest::ErrorObserver> observer;
   volume->AddObserver(vtkCommand::ErrorEvent, observer);
   volume->SetStreamSurface(-1, 0.5);
-  check.That(observer->GetErrorMessage().find("-1") != std::string::npos, "an index below 0");
+  check.Contains(observer->GetErrorMessage(), "-1");
   observer->Clear();
   volume->SetInterval(10000, 0.0, 1.0);
-  check.That(observer->GetErrorMessage().find("Interval index 10000 is not in 0 to 9999.") !=
-      std::string::npos,
-    "an index beyond the most");
+  check.Contains(observer->GetErrorMessage(), "Interval index 10000 is not in 0 to 9999.");
   check.Near(volume->GetStreamSurface(3), 0.0, 0.0, "none there", 1.0);
   volume->SetTimeSurface(2, 0.5);
   check.Equal(volume->GetNumberOfTimeSurfaces(), 3, "surfaces are added");

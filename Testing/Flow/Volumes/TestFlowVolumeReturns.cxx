@@ -416,7 +416,7 @@ void TestBadArray(Check& check)
   vtkNew<vtkFlowVolume> volume;
   volume->SetInputData(image);
   const std::string message = MessagesOf(volume);
-  check.That(message.find("\"TerminationSide\" has 2 components") != std::string::npos, message);
+  check.Contains(message, "\"TerminationSide\" has 2 components");
   check.Equal(volume->GetOutput()->GetNumberOfCells(), 0, "nothing");
 }
 

@@ -43,7 +43,7 @@ constexpr const char* AxisDistance = "sqrt((10*u-5-0.02)^2+(10*v-5+0.03)^2)";
 /// Flow along x with speed 1 that a ball deflects.
 Vector GetPotentialFlow(const Vector& x)
 {
-  const Vector way = Subtract(x, Center);
+  const Vector way = x - Center;
   const double distance = std::max(GetNorm(way), 0.5 * Radius);
   const double strength = 0.5 * std::pow(Radius / distance, 3);
   const double radial = 3.0 * strength * way[0] / (distance * distance);
@@ -60,7 +60,7 @@ vtkSmartPointer<vtkImageData> MakeField()
   {
     Vector x;
     image->GetPoint(p, x.data());
-    if (GetNorm(Subtract(x, Center)) < Radius)
+    if (GetNorm(x - Center) < Radius)
     {
       ghosts->SetValue(p, vtkDataSetAttributes::HIDDENPOINT);
     }

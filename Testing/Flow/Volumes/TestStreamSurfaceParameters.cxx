@@ -594,7 +594,7 @@ void CheckErrors(Check& check)
     one.Spoil(pipeline.Parameters, input);
     pipeline.Parameters->SetInputData(input);
     const std::string message = MessagesOf(pipeline.Parameters);
-    check.That(message.find(one.Part) != std::string::npos, "is told, not " + message);
+    check.Contains(message, one.Part);
     check.Equal(pipeline.Parameters->GetOutput()->GetNumberOfCells(), 0, "no output");
   }
   check.SetContext("settings");

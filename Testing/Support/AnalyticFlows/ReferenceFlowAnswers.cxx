@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
 
+#include "Support/AnalyticFlows/ReferenceVector.h"
+
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -53,23 +55,10 @@ void ForEachSimplex(vtkUnstructuredGrid* grid, const char* array, int value, Vis
   }
 }
 
-Vector Minus(const Vector& a, const Vector& b)
-{
-  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
-}
-
 // Half the cross product of two edges.
 Vector GetAreaVector(const Vector corners[4])
 {
-  const Vector a = Minus(corners[1], corners[0]);
-  const Vector b = Minus(corners[2], corners[0]);
-  return { { 0.5 * (a[1] * b[2] - a[2] * b[1]), 0.5 * (a[2] * b[0] - a[0] * b[2]),
-    0.5 * (a[0] * b[1] - a[1] * b[0]) } };
-}
-
-double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  return 0.5 * Cross(corners[1] - corners[0], corners[2] - corners[0]);
 }
 
 }
@@ -174,11 +163,7 @@ double MeasureArea(vtkUnstructuredGrid* triangles, const char* array, int value)
 {
   double sum = 0.0;
   ForEachSimplex(triangles, array, value,
-    [&](const Vector* corners)
-    {
-      const Vector area = GetAreaVector(corners);
-      sum += std::sqrt(Dot(area, area));
-    });
+    [&](const Vector* corners) { sum += GetNorm(GetAreaVector(corners)); });
   return sum;
 }
 
@@ -187,7 +172,7 @@ double MeasureVolume(vtkUnstructuredGrid* tetrahedra, const char* array, int val
   double sum = 0.0;
   ForEachSimplex(tetrahedra, array, value,
     [&](const Vector* corners)
-    { sum += Dot(GetAreaVector(corners), Minus(corners[3], corners[0])) / 3.0; });
+    { sum += Dot(GetAreaVector(corners), corners[3] - corners[0]) / 3.0; });
   return sum;
 }
 
@@ -201,10 +186,8 @@ double MeasureFlux(vtkUnstructuredGrid* triangles,
       const Vector area = GetAreaVector(corners);
       for (int edge = 0; edge < 3; ++edge)
       {
-        const Vector& a = corners[edge];
-        const Vector& b = corners[(edge + 1) % 3];
-        const double middle[3] = { 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2]) };
-        sum += Dot(area, field(middle)) / 3.0;
+        const Vector middle = 0.5 * (corners[edge] + corners[(edge + 1) % 3]);
+        sum += Dot(area, field(middle.data())) / 3.0;
       }
     });
   return sum;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/AnalyticFlows/ReferenceFlowMaps.h"
 
+#include "Support/AnalyticFlows/ReferenceVector.h"
+
 #include "vtkCellArray.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -17,20 +19,9 @@ namespace reference
 namespace
 {
 
-FlowVector Along(const FlowVector& x, const FlowVector& direction, double length)
-{
-  return { { x[0] + length * direction[0], x[1] + length * direction[1],
-    x[2] + length * direction[2] } };
-}
-
-double DotProduct(const FlowVector& a, const FlowVector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 FlowVector UnitVector(const FlowVector& a)
 {
-  return Along({}, a, 1.0 / std::sqrt(DotProduct(a, a)));
+  return (1.0 / std::sqrt(Dot(a, a))) * a;
 }
 
 FlowMatrix Product(const FlowMatrix& a, const FlowMatrix& b)
@@ -85,11 +76,8 @@ FlowMatrix Exponential(const FlowMatrix& matrix)
   for (int n = 1; n < 20; ++n)
   {
     power = Product(power, part);
-    for (int i = 0; i < 9; ++i)
-    {
-      power[i] /= n;
-      sum[i] += power[i];
-    }
+    power *= 1.0 / n;
+    sum += power;
   }
   for (int i = 0; i < halvings; ++i)
   {
@@ -102,33 +90,23 @@ FlowVector MapLinear(
   const FlowVector& x, const FlowVector& center, const FlowMatrix& matrix, double t)
 {
   FlowMatrix scaled = matrix;
-  for (double& entry : scaled)
-  {
-    entry *= t;
-  }
-  return Along(Multiply(Exponential(scaled), Along(x, center, -1.0)), center, 1.0);
+  scaled *= t;
+  return center + Multiply(Exponential(scaled), x - center);
 }
 
 FlowVector MapUniform(const FlowVector& x, const FlowVector& velocity, double t)
 {
-  return Along(x, velocity, t);
+  return x + t * velocity;
 }
 
 FlowVector MapRotation(const FlowVector& x, const FlowVector& center, const FlowVector& axis,
   double angularVelocity, double t)
 {
   const FlowVector a = UnitVector(axis);
-  const FlowVector offset = Along(x, center, -1.0);
-  const FlowVector turned = Multiply(CrossMatrix(a), offset);
+  const FlowVector offset = x - center;
   const double angle = angularVelocity * t;
-  const double height = DotProduct(a, offset) * (1.0 - std::cos(angle));
-  FlowVector result;
-  for (int i = 0; i < 3; ++i)
-  {
-    result[i] =
-      center[i] + std::cos(angle) * offset[i] + std::sin(angle) * turned[i] + height * a[i];
-  }
-  return result;
+  return center + std::cos(angle) * offset + std::sin(angle) * Cross(a, offset) +
+    (Dot(a, offset) * (1.0 - std::cos(angle))) * a;
 }
 
 FlowVector MapSaddle(
@@ -145,7 +123,7 @@ FlowVector MapSaddle(
 FlowVector MapNode(const FlowVector& x, const FlowVector& center, const FlowVector& rates,
   const FlowVector& axis, double swirl, double t)
 {
-  FlowMatrix matrix = CrossMatrix(Along({}, UnitVector(axis), swirl));
+  FlowMatrix matrix = CrossMatrix(swirl * UnitVector(axis));
   for (int i = 0; i < 3; ++i)
   {
     matrix[4 * i] = rates[i];
@@ -157,8 +135,8 @@ FlowVector MapShear(const FlowVector& x, const FlowVector& center, const FlowVec
   const FlowVector& velocity, double thickness, double t)
 {
   const FlowVector n = UnitVector(normal);
-  const FlowVector across = Along(velocity, n, -DotProduct(velocity, n));
-  return Along(x, across, t * std::tanh(DotProduct(n, Along(x, center, -1.0)) / thickness));
+  const FlowVector across = velocity - Dot(velocity, n) * n;
+  return x + (t * std::tanh(Dot(n, x - center) / thickness)) * across;
 }
 
 void SetVelocity(vtkDataSet* data, const FlowFunction& function)

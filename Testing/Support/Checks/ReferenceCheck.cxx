@@ -41,6 +41,11 @@ bool Check::Near(
   return this->That(near, text.str());
 }
 
+bool Check::Contains(const std::string& text, const std::string& part)
+{
+  return this->That(text.find(part) != std::string::npos, '"' + part + "\" in \"" + text + '"');
+}
+
 void Check::Fail(const std::string& what)
 {
   constexpr int printed = 20;

@@ -31,6 +31,8 @@ public:
   /// Expects |found - expected| <= tolerance * max(|expected|, scale).
   bool Near(
     double found, double expected, double tolerance, const std::string& what, double scale = 0.0);
+  /// Expects \a part somewhere in \a text.
+  bool Contains(const std::string& text, const std::string& part);
   /// Text put before each failure printed from now on.
   void SetContext(const std::string& context) { this->Context = context; }
 

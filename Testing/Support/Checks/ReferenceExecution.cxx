@@ -74,7 +74,7 @@ void CheckAborts(vtkAlgorithm* filter, std::size_t events, const std::vector<dou
 void CheckError(vtkAlgorithm* filter, const std::string& message, Check& check)
 {
   const std::string found = MessagesOf(filter);
-  check.That(found.find(message) != std::string::npos, "\"" + message + "\" in \"" + found + "\"");
+  check.Contains(found, message);
   vtkDataSet* output = GetOutput(filter);
   check.That(!output || output->GetNumberOfPoints() == 0, "empty output after: " + message);
 }

@@ -89,7 +89,7 @@ void CheckPrinted(const std::string& text, const std::vector<std::string>& expec
 {
   for (const std::string& part : expected)
   {
-    check.That(text.find(part) != std::string::npos, "PrintSelf prints " + part);
+    check.Contains(text, part);
   }
 }
 

@@ -34,7 +34,7 @@ double Determinant(const double* m)
 
 FlowFunction LinearField(const FlowMatrix& matrix, const FlowVector& center)
 {
-  return [matrix, center](const FlowVector& x) { return Multiply(matrix, Subtract(x, center)); };
+  return [matrix, center](const FlowVector& x) { return Multiply(matrix, x - center); };
 }
 
 CriticalPoints::CriticalPoints(vtkDataSet* data)

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace reference
 {
@@ -192,11 +193,7 @@ CellSample SampleCell(
   if (type == VTK_TETRA || type == VTK_WEDGE)
   {
     const int number = type == VTK_TETRA ? 3 : 2;
-    double sum = 0.0;
-    for (int i = 0; i < number; ++i)
-    {
-      sum += p[i];
-    }
+    const double sum = std::accumulate(p, p + number, 0.0);
     for (int i = 0; i < number; ++i)
     {
       p[i] *= sum > 1.0 - inside ? (1.0 - inside) / sum : 1.0;
@@ -208,20 +205,16 @@ CellSample SampleCell(
   int subId = 0;
   one->EvaluateLocation(subId, p, sample.Position.data(), weights);
   sample.Velocity.fill(0.0);
-  std::array<double, 24> values{};
+  std::array<Vector, 8> values{};
   for (vtkIdType v = 0; v < one->GetNumberOfPoints(); ++v)
   {
-    double* vector = &values[3 * v];
-    vectors->GetTuple(one->GetPointId(v), vector);
-    for (int i = 0; i < 3; ++i)
-    {
-      sample.Velocity[i] += weights[v] * vector[i];
-    }
+    vectors->GetTuple(one->GetPointId(v), values[v].data());
+    sample.Velocity += weights[v] * values[v];
   }
   sample.Gradient.fill(0.0);
   if (hasGradient)
   {
-    one->Derivatives(subId, p, values.data(), 3, sample.Gradient.data());
+    one->Derivatives(subId, p, values[0].data(), 3, sample.Gradient.data());
   }
   return sample;
 }
@@ -271,11 +264,6 @@ vtkSmartPointer<vtkTerminationPlane> MakeFlowPlane(double place)
   plane->SetPoint1(place, 4.0, 0.0);
   plane->SetPoint2(place, 0.0, 4.0);
   return plane;
-}
-
-double GetNorm(const Vector& v)
-{
-  return std::hypot(v[0], v[1], v[2]);
 }
 
 }

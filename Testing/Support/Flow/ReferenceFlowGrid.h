@@ -2,8 +2,9 @@
 #ifndef ReferenceFlowGrid_h
 #define ReferenceFlowGrid_h
 
-#include "Support/Checks/ReferenceRandom.h" // for the samples
-#include "Support/Meshes/ReferenceMesh.h"   // for the kinds
+#include "Support/AnalyticFlows/ReferenceVector.h" // for arithmetic
+#include "Support/Checks/ReferenceRandom.h"        // for the samples
+#include "Support/Meshes/ReferenceMesh.h"          // for the kinds
 
 #include "vtkSmartPointer.h" // for the grids
 #include "vtkType.h"         // for ids
@@ -84,14 +85,6 @@ struct CellSample
 /// At random, inside by a hundredth of the cell. The gradient is 0 unless asked for.
 CellSample SampleCell(vtkDataSet* data, vtkDataArray* vectors, vtkIdType cell, Random& random,
   bool hasGradient = false);
-
-/// The length of a vector.
-double GetNorm(const Vector& v);
-
-inline Vector Subtract(const Vector& a, const Vector& b)
-{
-  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
-}
 
 }
 

@@ -47,15 +47,12 @@ double reference::MeasureVolumeIn(
   {
     mesh->GetCellPoints(cell, ids);
     double x[4][3];
-    double center[3] = { 0, 0, 0 };
+    double center[3];
     for (int i = 0; i < 4; ++i)
     {
       mesh->GetPoint(ids->GetId(i), x[i]);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        center[axis] += 0.25 * x[i][axis];
-      }
     }
+    vtkTetra::TetraCenter(x[0], x[1], x[2], x[3], center);
     sum += isInside(center) ? vtkTetra::ComputeVolume(x[0], x[1], x[2], x[3]) : 0.0;
   }
   return sum;

@@ -55,10 +55,9 @@ vtkSmartPointer<vtkPolyData> MakeSkin(
     Vector middle{};
     for (const vtkIdType id : ids)
     {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        middle[axis] += grid->GetPoint(id)[axis] / static_cast<double>(ids.size());
-      }
+      Vector x;
+      grid->GetPoint(id, x.data());
+      middle += (1.0 / static_cast<double>(ids.size())) * x;
     }
     if (face.second.second == 1 && isWanted(middle))
     {

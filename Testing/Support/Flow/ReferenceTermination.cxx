@@ -34,26 +34,6 @@ std::vector<SurfaceScale> MakeSurfaceScales()
   return scales;
 }
 
-Vector Added(const Vector& a, const Vector& b, double scale)
-{
-  return { { a[0] + scale * b[0], a[1] + scale * b[1], a[2] + scale * b[2] } };
-}
-
-double DotOf(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector CrossOf(const Vector& a, const Vector& b)
-{
-  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
-}
-
-double LengthOf(const Vector& a)
-{
-  return std::sqrt(DotOf(a, a));
-}
-
 double DistanceOf(const vtkTerminationSurface* surface, const Vector& x)
 {
   return surface->EvaluateDistance(x.data());
@@ -67,7 +47,7 @@ std::vector<Vector> PointsAround(const SurfaceScale& scale, int number, unsigned
   {
     // Some near, some far.
     const double reach = i % 4 == 3 ? 20.0 : 1.2;
-    points.push_back(Added(scale.Center, random.GetPoint(1.0), reach * scale.Size));
+    points.push_back(scale.Center + reach * scale.Size * random.GetPoint(1.0));
   }
   return points;
 }
@@ -79,8 +59,8 @@ void CheckLipschitz(const vtkTerminationSurface* surface, const SurfaceScale& sc
   for (const Vector& a : PointsAround(scale, 2000, 1))
   {
     const double step = scale.Size * std::pow(10.0, random.Get(-6.0, 0.5));
-    const Vector b = Added(a, random.GetDirection(), step);
-    const double way = LengthOf(Added(b, a, -1.0));
+    const Vector b = a + step * random.GetDirection();
+    const double way = GetNorm(b - a);
     const double change = std::abs(DistanceOf(surface, b) - DistanceOf(surface, a));
     check.That(change <= way + 30.0 * scale.Rounding * scale.Size,
       name + ": the distance changes by " + std::to_string(change / way) + " of the way");
@@ -146,18 +126,18 @@ void CheckNormals(const vtkTerminationSurface* surface, const SurfaceScale& scal
     }
     Vector normal;
     surface->EvaluateNormal(x.data(), normal.data());
-    check.Near(LengthOf(normal), 1.0, 1e-12, name + ": length of a normal");
+    check.Near(GetNorm(normal), 1.0, 1e-12, name + ": length of a normal");
     for (double side : { -1.0, 1.0 })
     {
-      check.Near(DistanceOf(surface, Added(x, normal, side * step)) / step, side, tolerance,
+      check.Near(DistanceOf(surface, x + side * step * normal) / step, side, tolerance,
         name + ": distance along the normal");
     }
     for (int axis = 0; axis < 3; ++axis)
     {
       Vector direction = { { 0.0, 0.0, 0.0 } };
       direction[axis] = 1.0;
-      const double slope = (DistanceOf(surface, Added(x, direction, step)) -
-                             DistanceOf(surface, Added(x, direction, -step))) /
+      const double slope =
+        (DistanceOf(surface, x + step * direction) - DistanceOf(surface, x - step * direction)) /
         (2.0 * step);
       check.Near(slope, normal[axis], tolerance, name + ": gradient of the distance", 1.0);
     }
@@ -199,7 +179,7 @@ void CheckSamples(const vtkTerminationSurface* surface, const SurfaceScale& scal
     double nearest = std::numeric_limits<double>::infinity();
     for (const Vector& point : points)
     {
-      nearest = std::min(nearest, LengthOf(Added(point, x, -1.0)));
+      nearest = std::min(nearest, GetNorm(point - x));
     }
     const double distance = std::abs(DistanceOf(surface, x));
     check.That(

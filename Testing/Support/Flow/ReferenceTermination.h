@@ -2,7 +2,8 @@
 #ifndef ReferenceTermination_h
 #define ReferenceTermination_h
 
-#include "Support/Checks/ReferenceCheck.h" // for the result
+#include "Support/AnalyticFlows/ReferenceVector.h" // for arithmetic
+#include "Support/Checks/ReferenceCheck.h"         // for the result
 
 #include <array>
 #include <functional>
@@ -15,11 +16,6 @@ namespace reference
 {
 
 using Vector = std::array<double, 3>;
-
-Vector Added(const Vector& a, const Vector& b, double scale = 1.0);
-double DotOf(const Vector& a, const Vector& b);
-Vector CrossOf(const Vector& a, const Vector& b);
-double LengthOf(const Vector& a);
 
 double DistanceOf(const vtkTerminationSurface* surface, const Vector& x);
 

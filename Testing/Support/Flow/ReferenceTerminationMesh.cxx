@@ -46,7 +46,7 @@ TexturedMesh TexturedMesh::Placed(const SurfaceScale& scale) const
   TexturedMesh placed = *this;
   for (Vector& point : placed.Points)
   {
-    point = Added(scale.Center, point, scale.Size);
+    point = scale.Center + scale.Size * point;
   }
   return placed;
 }
@@ -75,9 +75,8 @@ TexturedMesh MakeGridMesh(
              std::array<int, 3>{ { first, above + 1, above } } })
       {
         const Vector& a = mesh.Points[triangle[0]];
-        const Vector normal = CrossOf(
-          Added(mesh.Points[triangle[1]], a, -1.0), Added(mesh.Points[triangle[2]], a, -1.0));
-        if (LengthOf(normal) > 1e-12)
+        const Vector normal = Cross(mesh.Points[triangle[1]] - a, mesh.Points[triangle[2]] - a);
+        if (GetNorm(normal) > 1e-12)
         {
           mesh.Triangles.push_back(triangle);
         }
@@ -149,15 +148,15 @@ std::vector<Vector> HardPlaces(const TexturedMesh& mesh)
       const Vector& a = mesh.Points[triangle[i]];
       const Vector& b = mesh.Points[triangle[(i + 1) % 3]];
       const Vector& c = mesh.Points[triangle[(i + 2) % 3]];
-      const Vector outward = Added(Added(a, b, 1.0), c, -2.0);
+      const Vector outward = a + b - 2.0 * c;
       for (double step : { 1e-7, 1e-3, 0.1, 1.0 })
       {
-        const double size = LengthOf(Added(b, a, -1.0));
-        places.push_back(Added(a, random.GetDirection(), step * size));
-        const Vector middle = Added(a, Added(b, a, -1.0), random.Get(0.0, 1.0));
-        places.push_back(Added(middle, random.GetDirection(), step * size));
-        places.push_back(Added(middle, outward, step));
-        places.push_back(Added(a, Added(Added(a, b, 0.5), c, -1.5), step));
+        const double size = GetNorm(b - a);
+        places.push_back(a + step * size * random.GetDirection());
+        const Vector middle = a + random.Get(0.0, 1.0) * (b - a);
+        places.push_back(middle + step * size * random.GetDirection());
+        places.push_back(middle + step * outward);
+        places.push_back(a + step * (a + 0.5 * b - 1.5 * c));
       }
     }
   }
@@ -171,21 +170,19 @@ double NearestDistance(const TexturedMesh& mesh, const Vector& x)
   {
     const Vector corners[3] = { mesh.Points[triangle[0]], mesh.Points[triangle[1]],
       mesh.Points[triangle[2]] };
-    const Vector normal =
-      CrossOf(Added(corners[1], corners[0], -1.0), Added(corners[2], corners[0], -1.0));
+    const Vector normal = Cross(corners[1] - corners[0], corners[2] - corners[0]);
     bool isInside = true;
     for (int i = 0; i < 3; ++i)
     {
-      const Vector side = Added(corners[(i + 1) % 3], corners[i], -1.0);
-      const Vector p = Added(x, corners[i], -1.0);
-      isInside = isInside && DotOf(CrossOf(side, p), normal) >= 0.0;
-      const double t = std::max(0.0, std::min(DotOf(p, side) / DotOf(side, side), 1.0));
-      nearest = std::min(nearest, LengthOf(Added(p, side, -t)));
+      const Vector side = corners[(i + 1) % 3] - corners[i];
+      const Vector p = x - corners[i];
+      isInside = isInside && Dot(Cross(side, p), normal) >= 0.0;
+      const double t = std::max(0.0, std::min(Dot(p, side) / Dot(side, side), 1.0));
+      nearest = std::min(nearest, GetNorm(p - t * side));
     }
     if (isInside)
     {
-      nearest =
-        std::min(nearest, std::abs(DotOf(Added(x, corners[0], -1.0), normal)) / LengthOf(normal));
+      nearest = std::min(nearest, std::abs(Dot(x - corners[0], normal)) / GetNorm(normal));
     }
   }
   return nearest;
@@ -196,15 +193,15 @@ double WindingNumber(const TexturedMesh& mesh, const Vector& x)
   double sum = 0.0;
   for (const auto& triangle : mesh.Triangles)
   {
-    const Vector a = Added(mesh.Points[triangle[0]], x, -1.0);
-    const Vector b = Added(mesh.Points[triangle[1]], x, -1.0);
-    const Vector c = Added(mesh.Points[triangle[2]], x, -1.0);
-    const double la = LengthOf(a);
-    const double lb = LengthOf(b);
-    const double lc = LengthOf(c);
+    const Vector a = mesh.Points[triangle[0]] - x;
+    const Vector b = mesh.Points[triangle[1]] - x;
+    const Vector c = mesh.Points[triangle[2]] - x;
+    const double la = GetNorm(a);
+    const double lb = GetNorm(b);
+    const double lc = GetNorm(c);
     sum += 2.0 *
-      std::atan2(DotOf(a, CrossOf(b, c)),
-        la * lb * lc + DotOf(a, b) * lc + DotOf(b, c) * la + DotOf(c, a) * lb);
+      std::atan2(
+        Dot(a, Cross(b, c)), la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb);
   }
   return sum / (4.0 * std::acos(-1.0));
 }

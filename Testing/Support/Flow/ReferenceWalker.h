@@ -89,6 +89,14 @@ double GetLargest(const std::array<double, N>& a)
   return largest;
 }
 
+/// The largest magnitude of a coordinate.
+inline double GetExtent(vtkDataSet* data)
+{
+  std::array<double, 6> bounds;
+  data->GetBounds(bounds.data());
+  return GetLargest(bounds);
+}
+
 /// At random places of every cell: its number, position, velocity and gradient as VTK's cells have
 /// them. Not the gradient where VTK has none, as in tiny
 /// cells and in voxels of an image with a direction matrix: \a hasGradient.
@@ -97,13 +105,7 @@ void CheckPlaces(Walker walker, vtkDataSet* data, vtkDataArray* vectors, int sam
   double tolerance, Check& check, bool hasGradient = true)
 {
   Random random(7);
-  double bounds[6];
-  data->GetBounds(bounds);
-  double extent = 0.0;
-  for (double bound : bounds)
-  {
-    extent = std::max(extent, std::abs(bound));
-  }
+  const double extent = GetExtent(data);
   double place = 0.0;
   double velocity = 0.0;
   double gradient = 0.0;
@@ -173,8 +175,8 @@ void CheckDerivatives(
       Vector rateAfter;
       walker.GetVelocity(before.data(), rateBefore.data());
       walker.GetVelocity(after.data(), rateAfter.data());
-      const Vector moved = Subtract(PositionOf(walker, after), PositionOf(walker, before));
-      const Vector changed = Subtract(VelocityOf(walker, after), VelocityOf(walker, before));
+      const Vector moved = PositionOf(walker, after) - PositionOf(walker, before);
+      const Vector changed = VelocityOf(walker, after) - VelocityOf(walker, before);
       Vector along{};
       along[j] = 2.0 * step;
       Vector world;
@@ -184,8 +186,7 @@ void CheckDerivatives(
       {
         const double expected = (rateAfter[i] - rateBefore[i]) / (2.0 * step);
         rates = std::max(rates, std::abs(jacobian[3 * i + j] - expected) / scale);
-        const double* row = &gradient[3 * i];
-        const double product = row[0] * moved[0] + row[1] * moved[1] + row[2] * moved[2];
+        const double product = vtkMath::Dot(&gradient[3 * i], moved.data());
         gradients = std::max(
           gradients, std::abs(product - changed[i]) / (GetLargest(gradient) * GetLargest(moved)));
       }
@@ -213,20 +214,12 @@ void CheckLinear(Walker walker, vtkDataSet* data, vtkDataArray* vectors, double 
     {
       continue;
     }
-    Vector x = sample.Position;
-    for (double& c : x)
-    {
-      c /= unit;
-    }
-    const Vector expected = GetLinearVector(x);
+    const Vector expected = GetLinearVector((1.0 / unit) * sample.Position);
     velocities =
       std::max(velocities, GetDifference(VelocityOf(walker, p), expected, GetLargest(expected)));
     std::array<double, 9> gradient;
     walker.GetVelocityGradient(p.data(), gradient.data());
-    for (double& g : gradient)
-    {
-      g *= unit;
-    }
+    gradient *= unit;
     gradients = std::max(gradients, GetDifference(gradient, GetLinearGradient(), 1.0));
   }
   check.Near(velocities, 0.0, tolerance, "a linear field", 1.0);
@@ -277,8 +270,7 @@ public:
       }
       this->P = p;
       this->Cells.push_back(this->Stand.GetCell());
-      this->WorstJump =
-        std::max(this->WorstJump, GetNorm(Subtract(PositionOf(this->Stand, p), here)));
+      this->WorstJump = std::max(this->WorstJump, GetNorm(PositionOf(this->Stand, p) - here));
       idle = this->Time > before ? 0 : idle + 1;
       if (idle > 60)
       {
@@ -297,15 +289,7 @@ public:
   int EndFace = -1;
 
 private:
-  Vector GetTarget(double time) const
-  {
-    Vector x = this->Start;
-    for (int i = 0; i < 3; ++i)
-    {
-      x[i] += time * this->Direction[i];
-    }
-    return x;
-  }
+  Vector GetTarget(double time) const { return this->Start + time * this->Direction; }
 
   // dp for dx.
   Vector GetLocal(const Vector& p, const Vector& x) const
@@ -324,20 +308,15 @@ private:
 
   static double Det(const Vector& a, const Vector& b, const Vector& c)
   {
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-      a[2] * (b[0] * c[1] - b[1] * c[0]);
+    return Dot(a, Cross(b, c));
   }
 
   Vector FindPlace(double time, Vector p) const
   {
     for (int i = 0; i < 6; ++i)
     {
-      const Vector step =
-        this->GetLocal(p, Subtract(this->GetTarget(time), PositionOf(this->Stand, p)));
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        p[axis] += step[axis];
-      }
+      const Vector step = this->GetLocal(p, this->GetTarget(time) - PositionOf(this->Stand, p));
+      p += step;
       if (GetLargest(step) < 1e-15)
       {
         break;
@@ -354,11 +333,7 @@ private:
     const double largest = GetLargest(rate);
     for (int face = 0; face < this->Stand.GetNumberOfFaces(); ++face)
     {
-      Vector ahead = this->P;
-      for (int i = 0; i < 3; ++i)
-      {
-        ahead[i] += 1e-3 * rate[i] / largest;
-      }
+      const Vector ahead = this->P + (1e-3 / largest) * rate;
       const double here = this->Stand.GetFaceDistance(face, this->P.data());
       if (here <= onFace && this->Stand.GetFaceDistance(face, ahead.data()) < here - 1e-9)
       {
@@ -428,11 +403,7 @@ void CheckLine(Walker walker, vtkDataSet* data, const Vector& start, const Vecto
 {
   double bounds[6];
   data->GetBounds(bounds);
-  double extent = 0.0;
-  for (const double bound : bounds)
-  {
-    extent = std::max(extent, std::abs(bound));
-  }
+  const double extent = GetExtent(data);
   const double exit = GetExitTime(bounds, start, direction);
   LineWalk<Walker> walk(walker, start, direction);
   check.That(walk.Run(2.0 * exit), "the walk ends");
@@ -469,11 +440,7 @@ void CheckPoints(Walker walker, vtkDataSet* data, Check& check)
 {
   double bounds[6];
   data->GetBounds(bounds);
-  double extent = 0.0;
-  for (const double bound : bounds)
-  {
-    extent = std::max(extent, std::abs(bound));
-  }
+  const double extent = GetExtent(data);
   Walker other = walker;
   Random random(19);
   for (vtkIdType point = 0; point < data->GetNumberOfPoints(); ++point)
@@ -510,10 +477,8 @@ void CheckPoints(Walker walker, vtkDataSet* data, Check& check)
 /// A field linear in x / unit comes out as it is.
 inline void CheckLinearField(vtkDataSet* data, double unit, double tolerance, Check& check)
 {
-  auto linear = AddVectors(data,
-    [unit](const Vector& x) {
-      return GetLinearVector({ { x[0] / unit, x[1] / unit, x[2] / unit } });
-    });
+  auto linear =
+    AddVectors(data, [unit](const Vector& x) { return GetLinearVector((1.0 / unit) * x); });
   WithWalker(data, linear, check,
     [&](const auto& walker) { CheckLinear(walker, data, linear, unit, tolerance, check); });
 }

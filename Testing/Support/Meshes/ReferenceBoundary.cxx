@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Meshes/ReferenceBoundary.h"
 
+#include "Support/AnalyticFlows/ReferenceVector.h"
+
 #include "vtkCell.h"
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
@@ -19,32 +21,12 @@ namespace
 
 using Point = DomainBoundary::Point;
 
-Point Difference(const Point& a, const Point& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-Point Cross(const Point& a, const Point& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double Dot(const Point& a, const Point& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 Point AreaVector(const std::vector<Point>& corners)
 {
   Point sum = { 0, 0, 0 };
   for (size_t i = 2; i < corners.size(); ++i)
   {
-    const Point part =
-      Cross(Difference(corners[i - 1], corners[0]), Difference(corners[i], corners[0]));
-    for (int a = 0; a < 3; ++a)
-    {
-      sum[a] += 0.5 * part[a];
-    }
+    sum += 0.5 * Cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
   }
   return sum;
 }
@@ -68,10 +50,9 @@ DomainBoundary::DomainBoundary(vtkDataSet* mesh)
     Point centre = { 0, 0, 0 };
     for (int i = 0; i < cell->GetNumberOfPoints(); ++i)
     {
-      for (int a = 0; a < 3; ++a)
-      {
-        centre[a] += cell->GetPoints()->GetPoint(i)[a] / cell->GetNumberOfPoints();
-      }
+      Point x;
+      cell->GetPoints()->GetPoint(i, x.data());
+      centre += (1.0 / cell->GetNumberOfPoints()) * x;
     }
     for (int f = 0; f < cell->GetNumberOfFaces(); ++f)
     {
@@ -103,29 +84,28 @@ DomainBoundary::DomainBoundary(vtkDataSet* mesh)
       face.Corners.push_back(x);
     }
     Point area = AreaVector(face.Corners);
-    if (Dot(area, Difference(candidate.Inside, face.Corners[0])) > 0)
+    if (Dot(area, candidate.Inside - face.Corners[0]) > 0)
     {
       std::reverse(face.Corners.begin(), face.Corners.end());
-      area = { -area[0], -area[1], -area[2] };
+      area *= -1.0;
     }
-    face.Area = std::sqrt(Dot(area, area));
-    face.Normal = { area[0] / face.Area, area[1] / face.Area, area[2] / face.Area };
+    face.Area = GetNorm(area);
+    face.Normal = (1.0 / face.Area) * area;
     this->Faces.push_back(face);
   }
 }
 
 bool DomainBoundary::Holds(const Face& face, const Point& point) const
 {
-  if (std::abs(Dot(face.Normal, Difference(point, face.Corners[0]))) > this->Tolerance)
+  if (std::abs(Dot(face.Normal, point - face.Corners[0])) > this->Tolerance)
   {
     return false;
   }
   for (size_t i = 0; i < face.Corners.size(); ++i)
   {
     const Point& a = face.Corners[i];
-    const Point edge = Difference(face.Corners[(i + 1) % face.Corners.size()], a);
-    if (Dot(Cross(edge, Difference(point, a)), face.Normal) <
-      -this->Tolerance * std::sqrt(Dot(edge, edge)))
+    const Point edge = face.Corners[(i + 1) % face.Corners.size()] - a;
+    if (Dot(Cross(edge, point - a), face.Normal) < -this->Tolerance * GetNorm(edge))
     {
       return false;
     }
