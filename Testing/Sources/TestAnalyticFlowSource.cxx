@@ -504,9 +504,11 @@ void CheckSettings(Check& check)
   source->SetOutputScalarType(VTK_INT);
   check.That(source->GetMTime() == time, "NaN changes nothing");
   const std::string error = ErrorsOf(source, [&]() { source->SetAxis(0.0, 0.0, 0.0); }) +
-    ErrorsOf(source, [&]() { source->SetAxis(1.0, nan, 0.0); });
+    ErrorsOf(source, [&]() { source->SetAxis(1.0, nan, 0.0); }) +
+    ErrorsOf(source, [&]() { source->SetAxis(0.0, 0.0, INFINITY); });
   check.That(error.find("Axis 0 0 0 is no direction") != std::string::npos &&
-      error.find("Axis 1 nan 0 is no direction") != std::string::npos,
+      error.find("Axis 1 nan 0 is no direction") != std::string::npos &&
+      error.find("Axis 0 0 inf is no direction") != std::string::npos,
     "an error for an axis that is none");
   check.That(source->GetAxis()[2] == 1.0 && source->GetAxis()[0] == 0.0, "and the axis stays");
   source->SetThickness(-1.0);

@@ -66,8 +66,10 @@ void CheckLattice(Check& check)
   const double infinity = std::numeric_limits<double>::infinity();
   for (double bad : { infinity, -infinity, std::numeric_limits<double>::quiet_NaN() })
   {
-    check.Near(vtkGradientNoise().Evaluate(Vector{ { 0.5, bad, 0.5 } }.data()), 0.0, 0.0,
-      "noise at a position that is not finite");
+    const Vector x{ { 0.5, bad, 0.5 } };
+    check.Near(vtkGradientNoise().Evaluate(x.data()), 0.0, 0.0, "noise at a place not finite");
+    check.Near(vtkGradientNoise().Sum(x.data(), vtkGradientNoise::TURBULENCE, 16), 0.0, 0.0,
+      "sum at a place not finite");
   }
   check.That(std::isfinite(vtkGradientNoise().Evaluate(Vector{ { 1e300, -1e300, 0.5 } }.data())),
     "noise far out is finite");

@@ -57,9 +57,16 @@ void CheckBadTime(const TemporalSource& source, Check& check)
 {
   vtkNew<vtkTest::ErrorObserver> observer;
   source.Algorithm->AddObserver(vtkCommand::ErrorEvent, observer);
-  source.Algorithm->UpdateTimeStep(std::numeric_limits<double>::quiet_NaN());
-  check.Contains(observer->GetErrorMessage(), "not finite");
-  check.Equal(source.GetOutput()->GetNumberOfPoints(), 0, "points for a time that is no number");
+  for (double time :
+    { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
+  {
+    observer->Clear();
+    source.Algorithm->UpdateTimeStep(time);
+    check.Contains(observer->GetErrorMessage(), "not finite");
+    check.Equal(source.GetOutput()->GetNumberOfPoints(), 0, "points for a time that is no number");
+    source.Algorithm->UpdateTimeStep(0.0);
+    check.That(source.GetOutput()->GetNumberOfPoints() > 0, "points for a time that is one");
+  }
 }
 
 }

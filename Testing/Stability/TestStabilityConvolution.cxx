@@ -25,8 +25,6 @@ namespace
 using namespace reference;
 using namespace stability;
 
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-
 Vector Turn(const Vector& x)
 {
   return { { -x[1], x[0], 0.25 } };
@@ -251,12 +249,6 @@ void TestPlaces(StabilityCatalogue& catalogue)
 
 int TestStabilityConvolution(int argc, char* argv[])
 {
-  StabilityCatalogue catalogue("TestStabilityConvolution", argc, argv);
-  catalogue.SetClass("vtkFlowLIC");
-  TestScales(catalogue);
-  TestAutomaticNoise(catalogue);
-  TestLongLines(catalogue);
-  TestStill(catalogue);
-  TestPlaces(catalogue);
-  return catalogue.GetExitCode();
+  return RunCases(__func__, "vtkFlowLIC", argc, argv,
+    { TestScales, TestAutomaticNoise, TestLongLines, TestStill, TestPlaces });
 }

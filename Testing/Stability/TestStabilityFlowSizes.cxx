@@ -26,7 +26,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <vector>
 
 namespace
@@ -35,7 +34,6 @@ namespace
 using namespace reference;
 using namespace stability;
 
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Lower = -2.1;
 constexpr double Width = 4.4;
 constexpr int Cells = 6;
@@ -368,10 +366,6 @@ void TestVoxels(StabilityCatalogue& catalogue)
 
 int TestStabilityFlowSizes(int argc, char* argv[])
 {
-  StabilityCatalogue catalogue("TestStabilityFlowSizes", argc, argv);
-  catalogue.SetClass("vtkImplicitFlowField");
-  TestSurfaces(catalogue);
-  TestSettings(catalogue);
-  TestVoxels(catalogue);
-  return catalogue.GetExitCode();
+  return RunCases(
+    __func__, "vtkImplicitFlowField", argc, argv, { TestSurfaces, TestSettings, TestVoxels });
 }

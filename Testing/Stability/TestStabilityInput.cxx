@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Wrong input and wrong settings: an error that names the array and the value, an empty output, no
 // crash, and the filter works again once they are right.
-#include "Support/Pages/StabilityCase.h"
-#include "Support/Checks/ReferenceMessages.h"
+#include "StabilityChecks.h"
+
 #include "Support/Meshes/ReferenceField.h"
 #include "Support/Meshes/ReferenceMesh.h"
 
@@ -18,15 +18,12 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <functional>
-#include <limits>
 
 namespace
 {
 
 using namespace reference;
-
-const double NaN = std::numeric_limits<double>::quiet_NaN();
-const double Infinity = std::numeric_limits<double>::infinity();
+using namespace stability;
 
 /// Random scalars f and pressure, a vector array, a string array, and a cell array.
 vtkSmartPointer<vtkUnstructuredGrid> MakeInput()
@@ -52,29 +49,6 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeInput()
   return mesh;
 }
 
-/// An error's own words: without the source line and the object's address before them.
-std::string Words(const std::string& error)
-{
-  const size_t begin = error.find("): ");
-  std::string words = begin == std::string::npos ? error : error.substr(begin + 3);
-  words.erase(words.find_last_not_of(" \n") + 1);
-  return words;
-}
-
-/// The output of every port is there and empty.
-bool IsEmpty(vtkUnstructuredGridAlgorithm* filter)
-{
-  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
-  {
-    auto* grid = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(port));
-    if (!grid || grid->GetNumberOfCells() > 0 || grid->GetNumberOfPoints() > 0)
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
 template <typename Filter>
 struct ErrorCase
 {
@@ -94,20 +68,9 @@ void TestErrors(StabilityCatalogue& catalogue, const std::vector<ErrorCase<Filte
     filter->SetInputData(MakeInput());
     one.Mend(filter);
     one.Break(filter);
-    const std::string errors = MessagesOf(filter);
-    bool passed = !errors.empty() && IsEmpty(filter);
-    std::string expected = "an empty output and an error that names";
-    for (const std::string& part : one.Named)
-    {
-      passed = passed && errors.find(part) != std::string::npos;
-      expected += " " + part;
-    }
-    one.Mend(filter);
-    const std::string later = MessagesOf(filter);
     catalogue.SetClass(filter->GetClassName());
-    passed = passed && later.empty() && filter->GetOutput()->GetNumberOfCells() > 0;
-    catalogue.Check(std::string(filter->GetClassName()) + "-" + one.Name, one.Extreme,
-      expected + "; mended, it works", errors.empty() ? "no error" : Words(errors), passed);
+    ReportRefused(catalogue, filter, std::string(filter->GetClassName()) + "-" + one.Name,
+      one.Extreme, one.Named, [&]() { one.Mend(filter); });
   }
 }
 
@@ -192,13 +155,8 @@ void TestNothing(StabilityCatalogue& catalogue, const char* name, const char* ex
   vtkNew<Filter> filter;
   filter->SetInputDataObject(input);
   set(filter);
-  const std::string warning = Words(WarningsOf(filter));
-  const bool empty = IsEmpty(filter);
   catalogue.SetClass(filter->GetClassName());
-  catalogue.Check(std::string(filter->GetClassName()) + "-" + name, extreme,
-    "an empty output and a warning that says \"" + said + "\"",
-    (empty ? "an empty output, " : "an output, ") + (warning.empty() ? "no warning" : warning),
-    empty && warning.find(said) != std::string::npos);
+  ReportEmpty(catalogue, filter, std::string(filter->GetClassName()) + "-" + name, extreme, said);
 }
 
 void TestEmptyInputs(StabilityCatalogue& catalogue)
@@ -273,10 +231,6 @@ void TestSettings(StabilityCatalogue& catalogue)
 
 int TestStabilityInput(int argc, char* argv[])
 {
-  StabilityCatalogue catalogue("TestStabilityInput", argc, argv);
-  TestIntervalErrors(catalogue);
-  TestContourErrors(catalogue);
-  TestEmptyInputs(catalogue);
-  TestSettings(catalogue);
-  return catalogue.GetExitCode();
+  return RunCases(__func__, "", argc, argv,
+    { TestIntervalErrors, TestContourErrors, TestEmptyInputs, TestSettings });
 }

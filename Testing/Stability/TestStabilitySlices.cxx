@@ -20,7 +20,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <string>
 
 namespace
@@ -29,9 +28,6 @@ namespace
 using namespace reference;
 using namespace stability;
 namespace files = std::filesystem;
-
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// [0,1]^3 x [0,3] with times times \a step, from \a offset on.
 vtkSmartPointer<vtkUnstructuredGrid> MakeSimplices(

@@ -25,7 +25,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 namespace
 {
@@ -33,8 +32,6 @@ namespace
 using namespace stability;
 using Number = long double;
 
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 const Number Pi = std::acos(Number(-1));
 
 /// The largest difference of a field from a formula at time t, over the largest value.
@@ -65,12 +62,8 @@ void TestFields(StabilityCatalogue& catalogue)
   vtkNew<vtkAnalyticFieldSource> source;
   source->SetDimensions(5, 4, 3);
   source->SetFieldToLinear();
-  source->SetConstant(1e300);
-  source->SetGradient(1e6, -1e6, NaN);
-  source->SetRate(-Infinity);
-  catalogue.Measure("coefficients-clamped", "a constant of 1e300, a rate of minus infinity",
-    "1e6 and -1e6, relative error",
-    std::abs(source->GetConstant() / 1e6 - 1.0) + std::abs(source->GetRate() / -1e6 - 1.0), 0.0);
+  source->SetConstant(1e6);
+  source->SetRate(-1e6);
   source->SetGradient(1e6, -1e6, 1e-6);
   for (const double size : { 1e-100, 1.0, 1e6 })
   {
@@ -124,9 +117,6 @@ void TestFields(StabilityCatalogue& catalogue)
   source->UpdateTimeStep(0.0);
   catalogue.Measure("one-point", "an image of one point", "points more or less than one",
     static_cast<double>(source->GetOutput()->GetNumberOfPoints() - 1), 0.0);
-  const std::string bounds = ErrorsOf(source, [&]() { source->SetBounds(0, 0, 0, 1, 0, 1); });
-  catalogue.Check("bounds-flat", "bounds without length", "an error that names axis 0", bounds,
-    bounds.find("axis 0") != std::string::npos && source->GetBounds()[1] == 1.0);
 }
 
 /// The relative error of one component of the velocity at a place.
@@ -205,25 +195,12 @@ void TestFlows(StabilityCatalogue& catalogue)
   catalogue.Measure("rotation-clamped", "an angular velocity of 1e300",
     "relative error of 1e12 times the distance", ErrorOfFlow(source, { 1e-3, 0.0, 0.0 }, 1, 1e9),
     1e-15);
-  for (const double z : { 0.0, NaN, Infinity })
-  {
-    const std::string error = ErrorsOf(source, [&]() { source->SetAxis(0.0, 0.0, z); });
-    catalogue.Check("axis-" + Short(z), "an axis of (0, 0, " + Short(z) + ")",
-      "an error, and the axis of before", error,
-      error.find("is no direction") != std::string::npos && source->GetAxis()[2] == 1.0);
-  }
 }
 
 void TestNoise(StabilityCatalogue& catalogue)
 {
   catalogue.SetClass("vtkGradientNoise");
   const vtkGradientNoise noise(7);
-  for (const double place : { NaN, Infinity, -Infinity })
-  {
-    const double x[3] = { 0.3, place, 0.7 };
-    catalogue.Measure("place-" + Short(place), "a place that is " + Short(place), "0",
-      noise.Sum(x, vtkGradientNoise::TURBULENCE, 16), 0.0);
-  }
   const double near[3] = { 0.375, 17.25, 3.5 };
   for (const double periods : { 0x1p20, 0x1p30, -0x1p40 })
   {
@@ -232,14 +209,6 @@ void TestNoise(StabilityCatalogue& catalogue)
       "the difference from the noise near the origin", noise.Evaluate(far) - noise.Evaluate(near),
       0.0);
   }
-  double largest = 0.0;
-  for (int i = 0; i < 200000; ++i)
-  {
-    const double x[3] = { 0.7548776662 * i, 0.5698402910 * i, 0.1234567891 * i };
-    largest = std::max(largest, std::abs(noise.Evaluate(x)));
-  }
-  catalogue.Measure(
-    "largest", "200,000 places", "the largest noise", largest, vtkGradientNoise::LargestNoise);
 
   catalogue.SetClass("vtkTurbulenceSource");
   vtkNew<vtkTurbulenceSource> source;
@@ -306,7 +275,7 @@ void TestSolids(StabilityCatalogue& catalogue)
   vtkNew<vtkSpatialPrimitive> ball;
   vtkNew<vtkConstructiveVolume> source;
   source->SetDimensions(8, 8, 8);
-  ReportRefused(catalogue, source, "no-root", "no root", "root", [&]() { source->SetRoot(ball); });
+  source->SetRoot(ball);
   ball->SetCenter(0.013, 0.017, 0.011);
   ball->SetRadius(1e-6);
   source->Update();
@@ -330,10 +299,6 @@ void TestSolids(StabilityCatalogue& catalogue)
   source->Update();
   catalogue.Measure("chain-500", "500 operations within each other", "samples without density 1",
     CountOutside(source->GetOutput()->GetPointData()->GetScalars(), 1.0, 1.0), 0.0);
-  vtkNew<vtkSpatialOperation> around;
-  const std::string error = ErrorsOf(around, [&]() { around->AddOperand(around); });
-  catalogue.Check("own-operand", "an operation that is its own operand",
-    "an error, and it is not added", error, !error.empty() && around->GetNumberOfOperands() == 0);
 
   catalogue.SetClass("vtkConstructiveModelSource");
   vtkNew<vtkConstructiveModelSource> model;
@@ -356,28 +321,8 @@ void TestSolids(StabilityCatalogue& catalogue)
     model->GetResolution() - 2048.0, 0.0);
 }
 
-template <typename Source>
-void ReportTimes(StabilityCatalogue& catalogue, Source* source)
-{
-  for (const double t : { NaN, Infinity })
-  {
-    const std::string error = ErrorsOf(source, [&]() { source->UpdateTimeStep(t); });
-    const bool isEmpty = source->GetOutput()->GetNumberOfPoints() == 0;
-    source->UpdateTimeStep(0.0);
-    catalogue.Check("time-" + Short(t), "a time that is " + Short(t),
-      "an error that says so, and an empty output; then it works", error,
-      error.find("not finite") != std::string::npos && isEmpty &&
-        source->GetOutput()->GetNumberOfPoints() > 0);
-  }
-}
-
 void TestGrids(StabilityCatalogue& catalogue)
 {
-  catalogue.SetClass("vtkAnalyticFieldSource");
-  vtkNew<vtkAnalyticFieldSource> field;
-  field->SetDimensions(3, 3, 3);
-  ReportTimes(catalogue, field.Get());
-
   catalogue.SetClass("vtkDeltaWingSource");
   vtkNew<vtkDeltaWingSource> wing;
   wing->SetDimensions(0, -1, 1 << 30);
@@ -386,7 +331,6 @@ void TestGrids(StabilityCatalogue& catalogue)
       std::abs(wing->GetDimensions()[2] - 32768.0),
     0.0);
   wing->SetDimensions(11, 12, 7);
-  ReportTimes(catalogue, wing.Get());
   wing->SetBreakdownAmplitude(0.0);
   for (const double angle : { -1e300, 1e300 })
   {
@@ -410,7 +354,6 @@ void TestGrids(StabilityCatalogue& catalogue)
   catalogue.SetClass("vtkTaperedCylinderSource");
   vtkNew<vtkTaperedCylinderSource> cylinder;
   cylinder->SetDimensions(9, 8, 7);
-  ReportTimes(catalogue, cylinder.Get());
   for (const double factor : { 0.0, 1e300 })
   {
     cylinder->SetRadii(factor, factor);
@@ -437,11 +380,6 @@ void TestGrids(StabilityCatalogue& catalogue)
 
 int TestStabilitySources(int argc, char* argv[])
 {
-  StabilityCatalogue catalogue("TestStabilitySources", argc, argv);
-  TestFields(catalogue);
-  TestFlows(catalogue);
-  TestNoise(catalogue);
-  TestSolids(catalogue);
-  TestGrids(catalogue);
-  return catalogue.GetExitCode();
+  return RunCases(
+    __func__, "", argc, argv, { TestFields, TestFlows, TestNoise, TestSolids, TestGrids });
 }

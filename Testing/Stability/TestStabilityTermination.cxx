@@ -5,7 +5,6 @@
 #include "StabilityShapes.h"
 
 #include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
-#include "Support/Flow/ReferenceTerminationMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -16,27 +15,19 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkTerminationBox.h"
-#include "vtkTerminationCylinder.h"
 #include "vtkTerminationInflow.h"
 #include "vtkTerminationMesh.h"
-#include "vtkTerminationPlane.h"
 #include "vtkTerminationSphere.h"
 #include "vtkTerminationSurfaceSource.h"
-#include "vtkTerminationTube.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace
 {
 
 using namespace reference;
 using namespace stability;
-
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// The area, in squares of \a size.
 double MeasureTriangles(vtkPolyData* data, double size)
@@ -126,66 +117,12 @@ void TestPolygons(StabilityCatalogue& catalogue)
   }
 }
 
-/// Update reports what is wrong, with these words.
-void ReportWrong(StabilityCatalogue& catalogue, vtkTerminationSurface* surface,
-  const std::string& name, const std::string& extreme, const std::string& words)
+void TestResolutions(StabilityCatalogue& catalogue)
 {
-  catalogue.SetClass(surface->GetClassName());
-  const std::string wrong = surface->Update();
-  catalogue.Check(
-    name, extreme, "Update says \"" + words + "\"", wrong, wrong.find(words) != std::string::npos);
-}
-
-void TestSettings(StabilityCatalogue& catalogue)
-{
-  for (const double value : { 0.0, -1.0, NaN, Infinity })
-  {
-    const std::string name = "radius-" + Short(value);
-    const std::string extreme = "a radius of " + Short(value);
-    vtkNew<vtkTerminationSphere> sphere;
-    sphere->SetRadius(value);
-    ReportWrong(catalogue, sphere, name, extreme, "radius");
-    vtkNew<vtkTerminationCylinder> cylinder;
-    cylinder->SetRadius(value);
-    ReportWrong(catalogue, cylinder, name, extreme, "radius");
-    vtkNew<vtkTerminationTube> tube;
-    tube->AddPoint(0.0, 0.0, 0.0);
-    tube->AddPoint(1.0, 0.0, 0.0);
-    tube->SetRadius(value);
-    ReportWrong(catalogue, tube, name, extreme, "radius");
-  }
-  vtkNew<vtkTerminationPlane> plane;
-  plane->SetPoint1(plane->GetOrigin());
-  ReportWrong(catalogue, plane, "flat", "two points in one place", "no length");
-  plane->SetPoint1(NaN, 0.0, 0.0);
-  ReportWrong(catalogue, plane, "nan", "a point that is NaN", "finite");
-  vtkNew<vtkTerminationBox> box;
-  box->SetBounds(1.0, 0.0, 0.0, 1.0, 0.0, 1.0);
-  ReportWrong(catalogue, box, "turned", "bounds from 1 to 0", "lower bound of x");
-  box->SetBounds(0.0, Infinity, 0.0, 1.0, 0.0, 1.0);
-  ReportWrong(catalogue, box, "infinite", "bounds to infinity", "not finite");
-  vtkNew<vtkTerminationTube> tube;
-  ReportWrong(catalogue, tube, "no-line", "a tube without a line", "two");
-  tube->AddPoint(0.0, 0.0, 0.0);
-  tube->AddPoint(0.0, 0.0, 0.0);
-  ReportWrong(catalogue, tube, "one-place", "a line of two points in one place", "two");
-  vtkNew<vtkTerminationMesh> mesh;
-  ReportWrong(catalogue, mesh, "no-mesh", "no dataset", "dataset");
-  TexturedMesh flat;
-  flat.Points = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 2, 0, 0 } } };
-  flat.Texture = { { { 0.0, 0.0 } }, { { 1.0, 0.0 } }, { { 1.0, 1.0 } } };
-  flat.Triangles = { { { 0, 1, 2 } } };
-  mesh->SetMesh(flat.MakeData());
-  ReportWrong(catalogue, mesh, "flat", "one triangle without an area", "area");
-
   catalogue.SetClass("vtkTerminationSurfaceSource");
   vtkNew<vtkTerminationSphere> sphere;
   vtkNew<vtkTerminationSurfaceSource> source;
-  ReportRefused(catalogue, source, "no-surface", "no surface", "SetSurface",
-    [&]() { source->SetSurface(sphere); });
-  sphere->SetRadius(NaN);
-  ReportRefused(catalogue, source, "wrong-surface", "a sphere whose radius is NaN", "radius",
-    [&]() { sphere->SetRadius(1.0); });
+  source->SetSurface(sphere);
   for (const int resolution : { -1, 1, 1000 })
   {
     source->SetResolutionU(resolution);
@@ -250,10 +187,6 @@ void TestInflow(StabilityCatalogue& catalogue)
 
 int TestStabilityTermination(int argc, char* argv[])
 {
-  StabilityCatalogue catalogue("TestStabilityTermination", argc, argv);
-  TestShapes(catalogue);
-  TestPolygons(catalogue);
-  TestSettings(catalogue);
-  TestInflow(catalogue);
-  return catalogue.GetExitCode();
+  return RunCases(
+    __func__, "", argc, argv, { TestShapes, TestPolygons, TestResolutions, TestInflow });
 }

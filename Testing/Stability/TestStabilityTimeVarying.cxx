@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Extreme times, values that change by much from step to step, and grids that move too far.
-#include "Support/Pages/StabilityCase.h"
+#include "StabilityChecks.h"
+
 #include "Support/Meshes/ReferenceMesh.h"
 #include "Support/TimeVarying/ReferenceSimplices.h"
 #include "Support/TimeVarying/ReferenceSpaceTime.h"
@@ -9,10 +10,8 @@
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkExecutive.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkTestErrorObserver.h"
 #include "vtkTimeVaryingIntervalVolume.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -24,6 +23,7 @@ namespace
 {
 
 using namespace reference;
+using namespace stability;
 
 constexpr std::array<int, 3> Cells = { 3, 2, 2 };
 constexpr double DomainVolume = 3 * 2 * 2;
@@ -59,18 +59,11 @@ Outcome Run(const TimeSteps& steps, const std::vector<Interval>& intervals)
   vtkNew<vtkTimeVaryingIntervalVolume> filter;
   filter->SetInputConnection(source->GetOutputPort());
   Apply({ intervals }, filter);
-  vtkNew<vtkTest::ErrorObserver> observer;
-  for (vtkObject* object :
-    { static_cast<vtkObject*>(filter), static_cast<vtkObject*>(filter->GetExecutive()) })
-  {
-    object->AddObserver(vtkCommand::ErrorEvent, observer);
-    object->AddObserver(vtkCommand::WarningEvent, observer);
-  }
-  filter->Update();
+  const Messages messages = UpdateFilter(filter);
   const auto output = [&](int port)
   { return vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(port)); };
-  return { { output(0), output(1), output(2), filter->GetReport() }, observer->GetErrorMessage(),
-    observer->GetWarningMessage() };
+  return { { output(0), output(1), output(2), filter->GetReport() }, messages.Errors,
+    messages.Warnings };
 }
 
 /// The larger error of the hypervolumes of 4-simplices and tetrahedra; NaN where an error was told.
@@ -270,10 +263,6 @@ void TestGrids(StabilityCatalogue& catalogue)
 
 int TestStabilityTimeVarying(int argc, char* argv[])
 {
-  StabilityCatalogue catalogue("TestStabilityTimeVarying", argc, argv);
-  catalogue.SetClass("vtkTimeVaryingIntervalVolume");
-  TestTimes(catalogue);
-  TestValues(catalogue);
-  TestGrids(catalogue);
-  return catalogue.GetExitCode();
+  return RunCases(
+    __func__, "vtkTimeVaryingIntervalVolume", argc, argv, { TestTimes, TestValues, TestGrids });
 }

@@ -20,15 +20,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace
 {
 
 using namespace reference;
 using namespace stability;
-
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
 vtkSmartPointer<vtkImageData> MakeCube(int cells, double size = 1.0, double middle = 0.0)
 {
@@ -104,11 +101,6 @@ void TestPointScales(StabilityCatalogue& catalogue)
       "a Jacobian that is singular but for " + Short(least) + ", 14 places in 7 kinds of cells",
       "largest distance of the one critical point from the exact one", most, 1e-14 / least);
   }
-  catalogue.Measure("components", "components of 1e9, 1 and 1e-9",
-    "distance of the one critical point from the exact one",
-    ErrorOfPoint(MakeMesh(MeshKind::Hexahedra, { 3, 4, 2 }),
-      { { 1e9, 2e9, 3e9, -1.0, 1.0, 0.5, 2e-9, -1e-9, 1e-9 } }, ZeroPlaces[0]),
-    1e-11);
 }
 
 /// The critical point in a box of 4 x 4 x 4 cells with sides of any length, each for itself.
@@ -173,12 +165,6 @@ void TestPointCells(StabilityCatalogue& catalogue)
     "critical points more or less than one, and cells not counted",
     std::abs(beside.GetNumber() - 1.0) + std::abs(beside.Filter->GetReport().NonFiniteCells - 8.0),
     0.0);
-  auto flat = vtkSmartPointer<vtkImageData>::New();
-  flat->SetDimensions(4, 4, 1);
-  SetVelocity(flat, LinearField(GenericMatrix, { { 1.4, 1.4, 0.0 } }));
-  filter->SetInputData(flat);
-  ReportRefused(catalogue, filter, "two-dimensions", "an image of two dimensions", "three",
-    [&]() { filter->SetInputData(corner); });
   filter->SetInputData(MakeBarePoint());
   ReportRefused(catalogue, filter, "no-cells", "a point without cells", "no cells",
     [&]() { filter->SetInputData(corner); });
@@ -253,9 +239,10 @@ void TestAxes(StabilityCatalogue& catalogue)
   catalogue.SetClass("vtkVortexAxis");
   for (const double size : { 1e-200, 1e-150, 1e-100, 1e-12, 1.0, 1e12, 1e100, 1e150, 1e200 })
   {
-    for (const double speed : { 1e-150, 1e-100, 1e-12, 1e12, 1e100, 1e150 })
+    for (const double speed : { 1e-200, 1e-150, 1e-100, 1e-12, 1e12, 1e100, 1e150, 1e200 })
     {
-      if (!std::isnormal(speed / size))
+      const bool isFar = std::abs(std::log10(speed)) > 151 && std::abs(std::log10(size)) > 13;
+      if (!std::isnormal(speed / size) || isFar)
       {
         continue;
       }
@@ -285,23 +272,13 @@ void TestAxes(StabilityCatalogue& catalogue)
   filter->SetAxis(0.0, 0.0, -1e-300);
   catalogue.Measure("axis-1e-300", "an axis of length 1e-300", "farthest of 3 places from the axis",
     ErrorOfAxis(filter, 1.0, 3), 1e-12);
-  const auto mend = [&]()
-  {
-    filter->SetAxis(0.0, 0.0, 1.0);
-    filter->SetFrameVelocity(0.0, 0.0, 0.0);
-  };
-  filter->SetAxis(0.0, 0.0, 0.0);
-  ReportRefused(catalogue, filter, "axis-0", "an axis of (0, 0, 0)", "xis", mend);
-  filter->SetAxis(0.0, NaN, 1.0);
-  ReportRefused(catalogue, filter, "axis-nan", "an axis with NaN", "finite", mend);
+  filter->SetAxis(0.0, 0.0, 1.0);
   filter->SetInputData(MakeBarePoint());
   ReportRefused(catalogue, filter, "no-cells", "a point without cells", "no cells",
     [&]() { filter->SetInputData(image); });
-  filter->SetFrameVelocity(NaN, 0.0, 0.0);
-  ReportRefused(catalogue, filter, "frame-nan", "a velocity of the frame with NaN", "finite", mend);
   filter->SetFrameVelocity(1e300, 0.0, 0.0);
   ReportEmpty(catalogue, filter, "frame-1e300", "a frame that moves at 1e300", "0 places");
-  mend();
+  filter->SetFrameVelocity(0.0, 0.0, 0.0);
   filter->SetMinimumSwirlStrength(1e300);
   ReportEmpty(catalogue, filter, "swirl-1e300", "a least swirl of 1e300", "places");
   filter->SetMinimumSwirlStrength(0.0);
@@ -313,12 +290,6 @@ void TestAxes(StabilityCatalogue& catalogue)
 
 int TestStabilityTopology(int argc, char* argv[])
 {
-  StabilityCatalogue catalogue("TestStabilityTopology", argc, argv);
-  catalogue.SetClass("vtkFlowCriticalPoints");
-  TestPointScales(catalogue);
-  TestCellLengths(catalogue);
-  TestPointCells(catalogue);
-  TestAxes(catalogue);
-  TestLayers(catalogue);
-  return catalogue.GetExitCode();
+  return RunCases(__func__, "vtkFlowCriticalPoints", argc, argv,
+    { TestPointScales, TestCellLengths, TestPointCells, TestAxes, TestLayers });
 }

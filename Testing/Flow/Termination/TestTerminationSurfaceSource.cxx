@@ -156,10 +156,13 @@ void CheckErrors(Check& check)
   vtkNew<vtkTerminationSurfaceSource> source;
   check.Contains(MessagesOf(source), "call SetSurface");
   vtkNew<vtkTerminationSphere> sphere;
-  sphere->SetRadius(-1.0);
   source->SetSurface(sphere);
-  check.Contains(MessagesOf(source), "radius is not finite and above 0");
-  check.Equal(source->GetOutput()->GetNumberOfPoints(), 0, "empty output");
+  for (double radius : { -1.0, std::numeric_limits<double>::quiet_NaN() })
+  {
+    sphere->SetRadius(radius);
+    check.Contains(MessagesOf(source), "radius is not finite and above 0");
+    check.Equal(source->GetOutput()->GetNumberOfPoints(), 0, "empty output");
+  }
   sphere->SetRadius(1.0);
   check.That(MessagesOf(source).empty(), "a good radius");
   check.That(source->GetOutput()->GetNumberOfCells() > 1000, "the surface's change is seen");

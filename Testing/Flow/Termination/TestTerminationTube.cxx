@@ -293,7 +293,7 @@ void CheckMessages(Check& check)
   }
   vtkNew<vtkTerminationTube> tube;
   SetPoints(tube, { { { 0, 0, 0 } }, { { 1, 0, 0 } } });
-  for (double radius : { 0.0, -1.0, notANumber })
+  for (double radius : { 0.0, -1.0, notANumber, std::numeric_limits<double>::infinity() })
   {
     tube->SetRadius(radius);
     check.Contains(tube->Update(), "radius");

@@ -178,32 +178,6 @@ void CheckScales(Check& check)
       }
     }
   }
-  // A Jacobian that is nearly singular: the zero is known less well than faces are.
-  for (const double least : { 1e-8, 1e-10 })
-  {
-    FlowMatrix flat = GenericMatrix;
-    for (int j = 0; j < 3; ++j)
-    {
-      flat[6 + j] = flat[j] - 2.0 * flat[3 + j] + least * flat[6 + j];
-    }
-    for (const MeshKind kind : ZeroMeshKinds)
-    {
-      for (const FlowVector& place : ZeroPlaces)
-      {
-        check.SetContext("nearly singular, " + GetName(kind) + " at " + std::to_string(place[0]) +
-          " " + std::to_string(place[1]) + " " + std::to_string(place[2]));
-        auto mesh = MakeMesh(kind, { 3, 4, 2 });
-        SetVelocity(mesh, LinearField(flat, place));
-        const CriticalPoints result(mesh);
-        check.Equal(result.GetNumber(), 1, "critical points");
-        for (vtkIdType i = 0; i < result.GetNumber(); ++i)
-        {
-          check.Near(Distance(result.GetPosition(i).data(), place.data()), 0.0, 1e-14 / least,
-            "position", 1.0);
-        }
-      }
-    }
-  }
   // Components of very different size.
   check.SetContext("components of different size");
   CheckLinear(MakeMesh(MeshKind::Hexahedra, { 3, 4, 2 }),

@@ -92,6 +92,7 @@ void CheckErrors(Check& check)
       [](vtkFlowVolume* v, vtkImageData*) { v->SetInterval(0, std::nan(""), 1); } },
     { "time range has lower value 3",
       [](vtkFlowVolume* v, vtkImageData*) { v->SetTimeRange(3, 2); } },
+    { "time range", [](vtkFlowVolume* v, vtkImageData*) { v->SetTimeRange(0, std::nan("")); } },
     { "Stream surface 0",
       [](vtkFlowVolume* v, vtkImageData*) { v->SetStreamSurface(0, INFINITY); } },
     { "Time surface 1", [](vtkFlowVolume* v, vtkImageData*) { v->SetTimeSurface(1, INFINITY); } },
@@ -122,6 +123,11 @@ void CheckErrors(Check& check)
     {
       check.Equal(volume->GetOutput(port)->GetNumberOfCells(), 0, "no output");
     }
+    volume->SetInputData(MakeInput(4));
+    volume->SetNumberOfStreamSurfaces(0);
+    volume->SetNumberOfTimeSurfaces(0);
+    SetAll(volume);
+    check.That(MessagesOf(volume).empty(), "mended, it works");
   }
   check.SetContext("settings");
   vtkNew<vtkFlowVolume> volume;

@@ -191,7 +191,7 @@ void CheckFlux(Check& check)
   struct
   {
     const char* Name;
-    FlowFunction Flow;
+    AnswerFunction Flow;
     std::function<std::array<double, 3>(const double*)> Field;
     std::array<double, 6> Bounds;
     const char* Formula;

@@ -279,6 +279,8 @@ void CheckErrors(Check& check)
   mapping->SetFormula(4, "u + w");
   CheckError(mapping, "'w'", check);
   check.That(std::isnan(mapping->Evaluate(0, 0.5, 0.5)), "NaN with a wrong formula");
+  mapping->SetFormula(4, "u +");
+  CheckError(mapping, "formula", check);
   mapping->SetFormula(4, "u*iHat");
   CheckError(mapping, "vector", check);
   mapping->SetFormula(4, "");
@@ -299,9 +301,14 @@ void CheckErrors(Check& check)
   mapping->AddRing(0, 0.5, 0.5, 0.1, 0.0);
   check.Contains(observer->GetErrorMessage(), "width 0");
   observer->Clear();
-  mapping->AddRing(0, 0.5, std::nan(""), 0.1, 1.0);
-  check.That(observer->GetError(), "a ring that is not finite");
-  observer->Clear();
+  const double rings[4][4] = { { 0.5, NAN, 0.1, 1.0 }, { NAN, 0.5, 0.1, 1.0 },
+    { 0.5, 0.5, INFINITY, 1.0 }, { 0.5, 0.5, 0.1, -1.0 } };
+  for (const double* ring : rings)
+  {
+    mapping->AddRing(0, ring[0], ring[1], ring[2], ring[3]);
+    check.Contains(observer->GetErrorMessage(), "A ring of id");
+    observer->Clear();
+  }
   mapping->SetFormula(-2, "u");
   check.Contains(observer->GetErrorMessage(), "-2");
   check.Equal(mapping->GetKind(0), vtkInflowMapping::NONE, "nothing was set");

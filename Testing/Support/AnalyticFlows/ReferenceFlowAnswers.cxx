@@ -64,7 +64,7 @@ Vector GetAreaVector(const Vector corners[4])
 }
 
 void AddFlow(
-  vtkDataSet* data, const FlowFunction& function, const std::vector<FlowSurface>& surfaces)
+  vtkDataSet* data, const AnswerFunction& function, const std::vector<FlowSurface>& surfaces)
 {
   const vtkIdType number = data->GetNumberOfPoints();
   vtkNew<vtkUnsignedCharArray> statuses;
@@ -112,14 +112,14 @@ vtkSmartPointer<vtkImageData> MakeFlowImage(
   return image;
 }
 
-FlowFunction UniformFlow(double speed)
+AnswerFunction UniformFlow(double speed)
 {
   return [speed](const double* x) -> FlowAnswer {
     return { x[0] < 0.0 ? 1 : 0, 0, x[1], x[2], x[0] < 0.0 ? 0.0 : x[0] / speed };
   };
 }
 
-FlowFunction CylinderFlow(double radius)
+AnswerFunction CylinderFlow(double radius)
 {
   return [radius](const double* x) -> FlowAnswer
   {
@@ -128,7 +128,7 @@ FlowFunction CylinderFlow(double radius)
   };
 }
 
-FlowFunction SphereFlow(double radius)
+AnswerFunction SphereFlow(double radius)
 {
   return [radius](const double* x) -> FlowAnswer
   {
@@ -139,7 +139,7 @@ FlowFunction SphereFlow(double radius)
   };
 }
 
-FlowFunction SaddleFlow()
+AnswerFunction SaddleFlow()
 {
   return [](const double* x) -> FlowAnswer
   {
@@ -152,7 +152,7 @@ FlowFunction SaddleFlow()
   };
 }
 
-FlowFunction RotationFlow()
+AnswerFunction RotationFlow()
 {
   return [](const double* x) -> FlowAnswer {
     return { 0, 0, std::hypot(x[0], x[1]), x[2], 2.0 * vtkMath::Pi() * GetTurns(x[0], x[1]) };
