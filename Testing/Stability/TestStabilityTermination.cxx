@@ -5,6 +5,7 @@
 #include "StabilityShapes.h"
 
 #include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+#include "Support/AnalyticFlows/ReferenceFlowMaps.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -143,15 +144,8 @@ void TestInflow(StabilityCatalogue& catalogue)
   const auto place = [](double size, double speed, vtkTerminationInflow* surface)
   {
     auto image = MakeFlowImage({ { 9, 9, 9 } }, { { 0.0, size, 0.0, size, 0.0, size } });
-    vtkNew<vtkDoubleArray> vectors;
-    vectors->SetNumberOfComponents(3);
-    vectors->SetName("Velocity");
-    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
-    {
-      vectors->InsertNextTuple3(speed, 0.0, 0.0);
-    }
-    image->GetPointData()->SetVectors(vectors);
-    return surface->PlaceIn(image, vectors, true);
+    SetVelocity(image, [speed](const FlowVector&) { return FlowVector{ { speed, 0.0, 0.0 } }; });
+    return surface->PlaceIn(image, image->GetPointData()->GetVectors(), true);
   };
   for (const double size :
     { 1e-300, 1e-200, 1e-150, 1e-100, 1e-60, 1e-6, 1e6, 1e60, 1e100, 1e150, 1e200, 1e300 })

@@ -3,6 +3,7 @@
 // vortices, the seed, the frame of reference, breaks; no vortex; planes; threads, progress, abort,
 // errors.
 #include "Support/AnalyticFlows/ReferenceFlowMaps.h"
+#include "Support/AnalyticFlows/ReferenceVector.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceExecution.h"
 #include "Support/Checks/ReferenceMessages.h"
@@ -55,6 +56,14 @@ vtkSmartPointer<vtkImageData> MakeCube(int cells)
   image->SetOrigin(-1.0, -1.0, -1.0);
   image->SetSpacing(2.0 / cells, 2.0 / cells, 2.0 / cells);
   return image;
+}
+
+// A filter that may find nothing.
+vtkSmartPointer<vtkVortexAxis> MakeFilter()
+{
+  auto filter = vtkSmartPointer<vtkVortexAxis>::New();
+  ExpectWarnings(filter);
+  return filter;
 }
 
 vtkPolyData* Run(vtkVortexAxis* filter, vtkDataSet* data)
@@ -127,8 +136,7 @@ void CheckLinear(Check& check)
     for (const int planes : { 0, 1, 2, 3, 7, 20 })
     {
       check.SetContext(GetName(kind) + ", " + std::to_string(planes) + " planes");
-      vtkNew<vtkVortexAxis> filter;
-      ExpectWarnings(filter);
+      const auto filter = MakeFilter();
       filter->SetNumberOfPlanes(planes);
       vtkPolyData* output = Run(filter, mesh);
       if (planes == 1)
@@ -162,8 +170,7 @@ void CheckLinear(Check& check)
   for (const LatticeForm& form : FormsOf(image))
   {
     check.SetContext(form.Name);
-    vtkNew<vtkVortexAxis> filter;
-    ExpectWarnings(filter);
+    const auto filter = MakeFilter();
     filter->SetNumberOfPlanes(form.Data->IsA("vtkUnstructuredGrid") ? 7 : 0);
     vtkPolyData* output = Run(filter, form.Data);
     CheckLine(output, 7, check);
@@ -200,8 +207,7 @@ void CheckLayers(Check& check)
   grid->SetZCoordinates(along);
   const Curve line = [](double) { return FlowVector{ { 0.1, 0.2, 0.0 } }; };
   SetVelocity(grid, MakeVortex(line, 1.0, 1e6));
-  vtkNew<vtkVortexAxis> filter;
-  ExpectWarnings(filter);
+  const auto filter = MakeFilter();
   vtkPolyData* output = Run(filter, grid);
   CheckLine(output, 5, check);
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
@@ -256,13 +262,13 @@ void CheckDirections(Check& check)
       source->SetAngularVelocity(-1.5);
       source->SetCenter(center[0], center[1], center[2]);
       source->Update();
-      vtkNew<vtkVortexAxis> filter;
-      ExpectWarnings(filter);
+      const auto filter = MakeFilter();
       filter->SetAxis(axis.data());
       vtkPolyData* output = Run(filter, source->GetOutput());
       const double largest = std::max({ std::abs(axis[0]), std::abs(axis[1]), std::abs(axis[2]) });
-      FlowVector unit = { { axis[0] / largest, axis[1] / largest, axis[2] / largest } };
-      const double length = std::sqrt(unit[0] * unit[0] + unit[1] * unit[1] + unit[2] * unit[2]);
+      const FlowVector scaled = (1.0 / largest) * axis;
+      const double length = GetNorm(scaled);
+      const FlowVector unit = (1.0 / length) * scaled;
       check.That(output->GetNumberOfPoints() >= 12 && output->GetNumberOfPoints() <= 21,
         "places: " + std::to_string(output->GetNumberOfPoints()));
       check.Equal(output->GetNumberOfLines(), 1, "lines");
@@ -274,17 +280,8 @@ void CheckDirections(Check& check)
       {
         FlowVector d;
         output->GetPoint(i, d.data());
-        double along = 0.0;
-        for (int j = 0; j < 3; ++j)
-        {
-          d[j] -= center[j];
-          unit[j] /= i == 0 ? length : 1.0;
-          along += unit[j] * d[j];
-        }
-        for (int j = 0; j < 3; ++j)
-        {
-          check.Near(d[j], along * unit[j], 1e-12, "place", 1.0);
-        }
+        d = d - center;
+        check.Near(GetNorm(d - Dot(unit, d) * unit), 0.0, 1e-12, "place", 1.0);
         check.Near(
           output->GetPointData()->GetArray("SwirlStrength")->GetTuple1(i), 1.5, 1e-10, "swirl");
       }
@@ -325,8 +322,7 @@ void CheckOrder(Check& check)
           const double factor = 1.0 + 0.5 * std::sin(3.0 * (x[0] - axis[0]) + (x[1] - axis[1]));
           return FlowVector{ { factor * v[0], factor * v[1], v[2] } };
         });
-      vtkNew<vtkVortexAxis> filter;
-      ExpectWarnings(filter);
+      const auto filter = MakeFilter();
       vtkPolyData* output = Run(filter, image);
       CheckLine(output, cells + 1, check);
       errors.push_back(GetError(output, curve.second));
@@ -344,8 +340,7 @@ void CheckOrder(Check& check)
   source->SetUpdraft(0.0);
   source->SetDimensions(61, 61, 31);
   source->Update();
-  vtkNew<vtkVortexAxis> filter;
-  ExpectWarnings(filter);
+  const auto filter = MakeFilter();
   vtkPolyData* output = Run(filter, source->GetOutput());
   CheckLine(output, 31, check);
   const Curve eye = [](double z)
@@ -370,8 +365,7 @@ void CheckChoice(Check& check)
   SetVelocity(image,
     [&](const FlowVector& x)
     { return MakeVortex(x[0] < 0.0 ? strong : weak, x[0] < 0.0 ? 3.0 : -1.0, 0.15)(x); });
-  vtkNew<vtkVortexAxis> filter;
-  ExpectWarnings(filter);
+  const auto filter = MakeFilter();
   check.SetContext("the strongest");
   vtkPolyData* output = Run(filter, image);
   CheckLine(output, 33, check);
@@ -394,8 +388,7 @@ void CheckChoice(Check& check)
   const Curve other = [](double z) { return FlowVector{ { 0.1, 0.1 * z, 0.0 } }; };
   SetVelocity(image,
     [&](const FlowVector& x) { return MakeVortex(x[0] < -0.2 ? strong : other, 1.0, 0.15)(x); });
-  vtkNew<vtkVortexAxis> wide;
-  ExpectWarnings(wide);
+  const auto wide = MakeFilter();
   wide->SetSearchRadius(2.0);
   wide->UseSeedOn();
   for (const double seed : { -0.5, 0.1 })
@@ -414,8 +407,7 @@ void CheckChoice(Check& check)
       const FlowVector v = MakeVortex(still, 1.0, 5.0)(x);
       return FlowVector{ { v[0] + 4.0, v[1] - 3.0, v[2] + 2.0 } };
     });
-  vtkNew<vtkVortexAxis> travelling;
-  ExpectWarnings(travelling);
+  const auto travelling = MakeFilter();
   output = Run(travelling, image);
   check.Equal(output->GetNumberOfPoints(), 0, "places where nothing is subtracted");
   travelling->SetFrameVelocity(4.0, -3.0, 2.0);
@@ -438,8 +430,7 @@ void CheckBreaks(Check& check)
                    : MakeVortex(axis, x[2] > 0.75 ? -1.0 : 1.0, 5.0)(x);
     });
   check.SetContext("breaks");
-  vtkNew<vtkVortexAxis> filter;
-  ExpectWarnings(filter);
+  const auto filter = MakeFilter();
   vtkPolyData* output = Run(filter, image);
   check.Equal(output->GetNumberOfLines(), 2, "lines");
   check.Equal(output->GetNumberOfPoints(), 7 + 5, "places");
@@ -464,8 +455,7 @@ void CheckBreaks(Check& check)
   const Curve jump = [](double z) { return FlowVector{ { z < 0.05 ? -0.4 : 0.5, 0.01, 0.0 } }; };
   SetVelocity(
     image, [&](const FlowVector& x) { return MakeVortex(jump, x[2] < 0.05 ? 2.0 : 1.0, 5.0)(x); });
-  vtkNew<vtkVortexAxis> near;
-  ExpectWarnings(near);
+  const auto near = MakeFilter();
   near->SetSearchRadius(0.05);
   output = Run(near, image);
   CheckLine(output, 11, check);
@@ -492,8 +482,7 @@ void CheckNone(Check& check)
     {
       source->SetNodeRates(1.0, 1.1, 1.2);
       source->Update();
-      vtkNew<vtkVortexAxis> filter;
-      ExpectWarnings(filter);
+      const auto filter = MakeFilter();
       filter->SetAxis(axis.data());
       filter->SetInputData(source->GetOutput());
       check.That(MessagesOf(filter).empty(), "no error");
@@ -505,8 +494,7 @@ void CheckNone(Check& check)
   source->SetField(vtkAnalyticFlowSource::UNIFORM);
   source->SetVelocity(0.3, -0.7, 0.9);
   source->Update();
-  vtkNew<vtkVortexAxis> filter;
-  ExpectWarnings(filter);
+  const auto filter = MakeFilter();
   filter->SetAxis(0.3, -0.7, 0.9);
   SetVelocity(source->GetOutput(),
     [](const FlowVector& x)
@@ -523,8 +511,7 @@ void CheckExecution(Check& check)
   vtkNew<vtkAnalyticFlowSource> source;
   source->SetDimensions(30, 31, 32);
   source->Update();
-  vtkNew<vtkVortexAxis> filter;
-  ExpectWarnings(filter);
+  const auto filter = MakeFilter();
   const auto update = [&]() { return GetBytes(Run(filter, source->GetOutput())); };
   const auto find = [&]()
   {
@@ -541,8 +528,7 @@ void CheckErrors(Check& check)
 {
   check.SetContext("errors");
   auto image = MakeCube(4);
-  vtkNew<vtkVortexAxis> filter;
-  ExpectWarnings(filter);
+  const auto filter = MakeFilter();
   filter->SetInputData(image);
   CheckError(filter, "The field has no active point vectors", check);
   SetVelocity(image, MakeVortex([](double) { return FlowVector{}; }, 1.0, 5.0));

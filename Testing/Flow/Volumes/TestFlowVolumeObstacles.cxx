@@ -5,10 +5,10 @@
 #include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
-#include "Support/Checks/ReferenceRandom.h"
 #include "Support/Checks/ReferenceThreads.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
 #include "Support/Flow/ReferenceFlowVolume.h"
+#include "Support/Meshes/ReferenceLattice.h"
 #include "Support/Meshes/ReferenceMeshing.h"
 
 #include "vtkFlowVolume.h"
@@ -22,8 +22,6 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -59,21 +57,17 @@ struct Case
   int Points;
   std::vector<std::pair<Vector, double>> Balls;
   Ways Way = HiddenPoints;
-  /// 0 for an image, 1 for a structured grid, 2 for an unstructured one.
-  int Kind = 0;
+  /// The grid, as FormsOf() names it.
+  std::string Form = "image";
   /// The levels of refinement.
   int Levels = 0;
   int Samples = 17;
 };
 
-bool IsInBall(const Case& one, const double* x)
+bool IsInBall(const Case& one, const Vector& x)
 {
   return std::any_of(one.Balls.begin(), one.Balls.end(),
-    [x](const auto& ball)
-    {
-      return GetNorm({ { x[0] - ball.first[0], x[1] - ball.first[1], x[2] - ball.first[2] } }) <
-        ball.second;
-    });
+    [&x](const auto& ball) { return GetNorm(x - ball.first) < ball.second; });
 }
 
 /// The cells of the field with an obstacle's point.
@@ -90,8 +84,8 @@ public:
       {
         for (int k = 0; k < one.Points; ++k)
         {
-          const double x[3] = { -1.0 + 2.0 * i / this->Cells, -1.0 + 2.0 * j / this->Cells,
-            -1.0 + 2.0 * k / this->Cells };
+          const Vector x{ { -1.0 + 2.0 * i / this->Cells, -1.0 + 2.0 * j / this->Cells,
+            -1.0 + 2.0 * k / this->Cells } };
           for (int corner = 0; IsInBall(one, x) && corner < 8; ++corner)
           {
             this->Hide(i - (corner & 1), j - (corner >> 1 & 1), k - (corner >> 2 & 1));
@@ -150,21 +144,14 @@ private:
 double MeasureLines(const Case& one, double low = -1.0, double high = 1.0)
 {
   const Obstacle obstacle(one);
-  constexpr int boxes = 40;
-  Random random(5);
+  const std::vector<Vector> places = MakeRandomPlaces(40, 5);
   int reached = 0;
-  for (int i = 0; i < boxes * boxes * boxes; ++i)
+  for (Vector x : places)
   {
-    const std::array<int, 3> box = { { i % boxes, i / boxes % boxes, i / boxes / boxes } };
-    Vector x;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      x[axis] = -1.0 + 2.0 * (box[axis] + random.Get(0.0, 1.0)) / boxes;
-    }
     x[0] = low + 0.5 * (x[0] + 1.0) * (high - low);
     reached += obstacle.Reaches(x, one.Direction) ? 1 : 0;
   }
-  return 4.0 * (high - low) * reached / (boxes * boxes * boxes);
+  return 4.0 * (high - low) * reached / static_cast<double>(places.size());
 }
 
 /// The field, with its obstacle.
@@ -177,8 +164,8 @@ vtkSmartPointer<vtkDataSet> MakeField(const Case& one)
     one.Way == HiddenPoints ? image->AllocatePointGhostArray() : nullptr;
   for (vtkIdType p = 0; p < image->GetNumberOfPoints(); ++p)
   {
-    double x[3];
-    image->GetPoint(p, x);
+    Vector x;
+    image->GetPoint(p, x.data());
     if (!IsInBall(one, x))
     {
       continue;
@@ -206,40 +193,10 @@ vtkSmartPointer<vtkDataSet> MakeField(const Case& one)
       }
     }
   }
-  if (one.Kind == 0)
-  {
-    return image;
-  }
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (vtkIdType p = 0; p < image->GetNumberOfPoints(); ++p)
-  {
-    points->InsertNextPoint(image->GetPoint(p));
-  }
-  auto structured = vtkSmartPointer<vtkStructuredGrid>::New();
-  structured->SetDimensions(image->GetDimensions());
-  structured->SetPoints(points);
-  structured->GetPointData()->ShallowCopy(image->GetPointData());
-  structured->GetCellData()->ShallowCopy(image->GetCellData());
-  if (one.Kind == 1)
-  {
-    return structured;
-  }
-  auto mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  mesh->SetPoints(points);
-  mesh->AllocateEstimate(image->GetNumberOfCells(), 8);
-  const vtkIdType n = one.Points;
-  for (vtkIdType cell = 0; cell < image->GetNumberOfCells(); ++cell)
-  {
-    const vtkIdType p =
-      cell % (n - 1) + n * (cell / (n - 1) % (n - 1) + n * (cell / (n - 1) / (n - 1)));
-    const vtkIdType corners[8] = { p, p + 1, p + n + 1, p + n, p + n * n, p + n * n + 1,
-      p + n * n + n + 1, p + n * n + n };
-    mesh->InsertNextCell(VTK_HEXAHEDRON, 8, corners);
-  }
-  mesh->GetPointData()->ShallowCopy(image->GetPointData());
-  mesh->GetCellData()->ShallowCopy(image->GetCellData());
-  return mesh;
+  const std::vector<LatticeForm> forms = FormsOf(image);
+  return std::find_if(
+    forms.begin(), forms.end(), [&one](const LatticeForm& form) { return form.Name == one.Form; })
+    ->Data;
 }
 
 /// The implicit flow field of samples along each axis.
@@ -294,18 +251,18 @@ void TestVolumes(Check& check)
   const std::pair<Vector, double> small{ { { 0.2, 0.35, 0.3 } }, 0.31 };
   const std::pair<Vector, double> atEnd{ { { -1.0, 0.2, -0.9 } }, 0.43 };
   const Case cases[] = {
-    { "along x, samples of the field", along, 33, { ball }, HiddenPoints, 0, 0, 33 },
-    { "oblique, a finer field", oblique, 65, { ball }, HiddenPoints, 0, 0, 33 },
+    { "along x, samples of the field", along, 33, { ball }, HiddenPoints, "image", 0, 33 },
+    { "oblique, a finer field", oblique, 65, { ball }, HiddenPoints, "image", 0, 33 },
     { "oblique, samples of the field", oblique, 17, { ball } },
     { "oblique, a field that fits no samples", oblique, 26, { ball } },
     { "two obstacles", oblique, 33, { ball, small } },
     { "an obstacle at the end of the field", oblique, 33, { atEnd } },
     { "hidden cells", oblique, 33, { ball }, HiddenCells },
     { "vectors that are no numbers", oblique, 33, { ball }, NotFinite },
-    { "structured grid", oblique, 17, { ball }, HiddenPoints, 1 },
-    { "structured grid with hidden cells", oblique, 17, { ball }, HiddenCells, 1 },
-    { "unstructured grid", oblique, 17, { ball }, HiddenPoints, 2 },
-    { "refined", oblique, 33, { ball }, HiddenPoints, 0, 1 },
+    { "structured grid", oblique, 17, { ball }, HiddenPoints, "structured" },
+    { "structured grid with hidden cells", oblique, 17, { ball }, HiddenCells, "structured" },
+    { "unstructured grid", oblique, 17, { ball }, HiddenPoints, GetName(MeshKind::Hexahedra) },
+    { "refined", oblique, 33, { ball }, HiddenPoints, "image", 1 },
   };
   for (const Case& one : cases)
   {
@@ -327,7 +284,7 @@ void TestAtPlane(Check& check)
 {
   check.SetContext("an obstacle at the plane");
   const Case one{ "", { { 1.0, 0.3, 0.2 } }, 31, { { { { -0.5, 0.1, 0.05 } }, 0.4 } }, HiddenPoints,
-    0, 0, 33 };
+    "image", 0, 33 };
   const double low = -1.0 + 1.0 / 16.0;
   const double high = low + 1.0 / 16.0;
   const auto mesh = ExtractFlow(MakeSamples(one));
@@ -390,7 +347,7 @@ void TestThreads(Check& check)
     {
       auto copy = vtkSmartPointer<vtkUnstructuredGrid>::New();
       copy->ShallowCopy(ExtractTubes(MakeSamples({ "", { { 1.0, 0.3, 0.2 } }, 15,
-        { { { { -0.31, 0.02, -0.03 } }, 0.43 } }, HiddenPoints, 0, 0, 12 })));
+        { { { { -0.31, 0.02, -0.03 } }, 0.43 } }, HiddenPoints, "image", 0, 12 })));
       return std::vector<vtkSmartPointer<vtkUnstructuredGrid>>{ copy };
     },
     check);

@@ -5,7 +5,6 @@
 // interpolation between samples, which falls with their distance.
 #include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
 #include "Support/Checks/ReferenceCheck.h"
-#include "Support/Checks/ReferenceRandom.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
 #include "Support/Flow/ReferenceFlowVolume.h"
 
@@ -68,20 +67,12 @@ vtkSmartPointer<vtkImageData> MakeField()
   return image;
 }
 
-/// One random place in each of many boxes.
 vtkSmartPointer<vtkUnstructuredGrid> MakePlaces(int boxes)
 {
-  Random random(3);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  for (int i = 0; i < boxes * boxes * boxes; ++i)
+  for (const Vector& x : MakeRandomPlaces(boxes, 3))
   {
-    const std::array<int, 3> box = { { i % boxes, i / boxes % boxes, i / boxes / boxes } };
-    Vector x;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      x[axis] = -1.0 + 2.0 * (box[axis] + random.Get(0.0, 1.0)) / boxes;
-    }
     points->InsertNextPoint(x.data());
   }
   auto places = vtkSmartPointer<vtkUnstructuredGrid>::New();

@@ -43,8 +43,14 @@ struct Pipeline
   vtkNew<vtkFlowVolume> Volume;
   vtkNew<vtkStreamSurfaceParameters> Parameters;
 
-  Pipeline(vtkDataSet* data, const char* formula, const std::vector<double>& values)
+  Pipeline(vtkDataSet* data, const char* formula, const std::vector<double>& values,
+    vtkTerminationSurface* surface = nullptr)
   {
+    if (surface)
+    {
+      surface->SetId(0);
+      this->Parameters->AddTerminationSurface(surface);
+    }
     this->Mapping->SetInputData(data);
     this->Mapping->SetFormula(vtkInflowMapping::ALL, formula);
     this->Volume->SetInputConnection(this->Mapping->GetOutputPort());
@@ -211,13 +217,11 @@ double GetEllipseLength(double a, double b)
 void CheckPlane(Check& check)
 {
   vtkNew<Plane> plane;
-  plane->SetId(0);
   // A rectangle twice as long as wide: the circle of parameters is an ellipse.
   vtkNew<Plane> longPlane;
   longPlane->SetSize(2.0, 1.0);
   check.SetContext("circle");
-  Pipeline circle(MakePlaneFlow(), "(u-0.5)^2+(v-0.5)^2", { 0.09 });
-  circle.Parameters->AddTerminationSurface(plane);
+  Pipeline circle(MakePlaneFlow(), "(u-0.5)^2+(v-0.5)^2", { 0.09 }, plane);
   check.Equal(circle.GetNumberOfContours(), 1, "contours");
   check.Equal(circle.GetNumberOfClosedContours(), 1, "closed ones");
   check.Near(circle.GetLength(0), 2.0 * Pi * 0.3, 1e-4, "length");
@@ -259,14 +263,12 @@ void CheckPlane(Check& check)
   check.Near(circle.GetLength(0), length, 1e-15, "lengths are not scaled");
 
   check.SetContext("ellipse");
-  Pipeline ellipse(MakePlaneFlow(), "(u-0.5)^2+(v-0.5)^2", { 0.09 });
-  ellipse.Parameters->AddTerminationSurface(longPlane, 0);
+  Pipeline ellipse(MakePlaneFlow(), "(u-0.5)^2+(v-0.5)^2", { 0.09 }, longPlane);
   check.Near(ellipse.GetLength(0), GetEllipseLength(0.6, 0.3), 1e-4, "length");
   CheckTriangles(ellipse, 0.3, check);
 
   check.SetContext("open lines");
-  Pipeline lines(MakePlaneFlow(), "u+0.5*v", { 0.3, 0.8, 1.2 });
-  lines.Parameters->AddTerminationSurface(plane);
+  Pipeline lines(MakePlaneFlow(), "u+0.5*v", { 0.3, 0.8, 1.2 }, plane);
   check.Equal(lines.GetNumberOfContours(), 3, "contours");
   check.Equal(lines.GetNumberOfClosedContours(), 0, "none is closed");
   check.Near(lines.GetLength(0), 0.3 * std::sqrt(5.0), 1e-9, "corner to corner");
@@ -292,14 +294,13 @@ void CheckPlane(Check& check)
       });
   }
   check.SetContext("open curve");
-  Pipeline parabola(MakePlaneFlow(), "v-u^2", { 0.0 });
-  parabola.Parameters->AddTerminationSurface(plane);
+  Pipeline parabola(MakePlaneFlow(), "v-u^2", { 0.0 }, plane);
   check.Near(
     parabola.GetLength(0), 0.5 * std::sqrt(5.0) + 0.25 * std::asinh(2.0), 1e-4, "parabola");
 
   check.SetContext("several of one value");
-  Pipeline several(MakePlaneFlow(40), "min((u-0.27)^2+(v-0.27)^2,(u-0.72)^2+(v-0.7)^2)", { 0.04 });
-  several.Parameters->AddTerminationSurface(plane);
+  Pipeline several(
+    MakePlaneFlow(40), "min((u-0.27)^2+(v-0.27)^2,(u-0.72)^2+(v-0.7)^2)", { 0.04 }, plane);
   check.Equal(several.GetNumberOfClosedContours(), 2, "two circles");
   check.Near(several.GetLength(0), 2.0 * Pi * 0.2, 1e-4, "one");
   check.Near(several.GetLength(1), 2.0 * Pi * 0.2, 1e-4, "the other");
@@ -318,9 +319,8 @@ void CheckPlane(Check& check)
   for (double value : { 0.0004, -0.0004 })
   {
     check.SetContext("saddle, " + std::to_string(value));
-    Pipeline saddle(MakePlaneFlow(), "(u-0.5)*(v-0.5)", { value });
+    Pipeline saddle(MakePlaneFlow(), "(u-0.5)*(v-0.5)", { value }, plane);
     saddle.Parameters->SetResolution(17);
-    saddle.Parameters->AddTerminationSurface(plane);
     check.Equal(saddle.GetNumberOfContours(), 2, "two branches");
     check.Near(saddle.GetLength(0), saddle.GetLength(1), 1e-6, "as long");
     // The contours of the arms: right, top, left, bottom.
@@ -349,8 +349,7 @@ void CheckCylinder(Check& check)
   vtkNew<Cylinder> cylinder;
   cylinder->SetRadius(0.4);
   check.SetContext("around a cylinder");
-  Pipeline around(MakeCylinderFlow(), "v", { 0.37 });
-  around.Parameters->AddTerminationSurface(cylinder, 0);
+  Pipeline around(MakeCylinderFlow(), "v", { 0.37 }, cylinder);
   check.Equal(around.GetNumberOfContours(), 1, "contours");
   check.Equal(around.GetNumberOfClosedContours(), 1, "it is closed");
   check.Near(around.GetLength(0), 2.0 * Pi * 0.4, 1e-4, "length");
@@ -360,8 +359,7 @@ void CheckCylinder(Check& check)
 
   check.SetContext("a wave around a cylinder");
   // Steepest at the seam.
-  Pipeline wave(MakeCylinderFlow(), "v+0.1*sin(6.283185307179586*u)", { 0.5 });
-  wave.Parameters->AddTerminationSurface(cylinder, 0);
+  Pipeline wave(MakeCylinderFlow(), "v+0.1*sin(6.283185307179586*u)", { 0.5 }, cylinder);
   // Length by the angle: along the circle, up and down.
   std::vector<double> lengths{ 0.0 };
   constexpr int steps = 20000;
@@ -383,29 +381,25 @@ void CheckCylinder(Check& check)
     1.0, 0.02, check);
 
   check.SetContext("across the seam");
-  Pipeline across(
-    MakeCylinderFlow(40), "4*(1-cos(6.283185307179586*u))/39.4784176+(v-0.5)^2*0.7", { 0.01 });
-  across.Parameters->AddTerminationSurface(cylinder, 0);
+  Pipeline across(MakeCylinderFlow(40), "4*(1-cos(6.283185307179586*u))/39.4784176+(v-0.5)^2*0.7",
+    { 0.01 }, cylinder);
   check.Equal(across.GetNumberOfClosedContours(), 1, "one closed contour");
   check.Equal(across.GetNumberOfContours(), 1, "and no other");
   CheckTriangles(across, 0.3, check);
   // The same, turned away from the seam.
   Pipeline away(MakeCylinderFlow(40),
-    "4*(1-cos(6.283185307179586*(u-0.5)))/39.4784176+(v-0.5)^2*0.7", { 0.01 });
-  away.Parameters->AddTerminationSurface(cylinder, 0);
+    "4*(1-cos(6.283185307179586*(u-0.5)))/39.4784176+(v-0.5)^2*0.7", { 0.01 }, cylinder);
   check.Near(across.GetLength(0), away.GetLength(0), 1e-6, "as long as elsewhere");
 
   check.SetContext("a spiral");
-  Pipeline spiral(MakeCylinderFlow(), "u", { 0.25 });
-  spiral.Parameters->AddTerminationSurface(cylinder, 0);
+  Pipeline spiral(MakeCylinderFlow(), "u", { 0.25 }, cylinder);
   check.Equal(spiral.GetNumberOfContours(), 1, "a line");
   check.Near(spiral.GetLength(0), 1.0, 1e-9, "as high as the cylinder");
   CheckTriangles(spiral, 0.2, check);
 
   check.SetContext("gaps");
   cylinder->SetGap(0.25, 0.5);
-  Pipeline gap(MakeCylinderFlow(), "v", { 0.37 });
-  gap.Parameters->AddTerminationSurface(cylinder, 0);
+  Pipeline gap(MakeCylinderFlow(), "v", { 0.37 }, cylinder);
   check.Equal(gap.GetNumberOfContours(), 1, "one arc is left");
   check.Equal(gap.GetNumberOfClosedContours(), 0, "it is open");
   check.Near(gap.GetLength(0), 1.5 * Pi * 0.4, 0.01, "length of the rest");
@@ -438,14 +432,41 @@ void CheckParts(Check& check)
     { check.That((corners[0].Contour < 2) == (corners[0].X[0] < 0.0), "contour of the surface"); });
 }
 
+// The s of triangles of one point each that are far from the contour of a value.
+std::vector<double> GetFar(vtkUnstructuredGrid* mesh, const AnswerFunction& flow,
+  const FlowSurface& periodic, const char* formula, double value, vtkTerminationSurface* surface,
+  const std::array<double, 3>& start)
+{
+  AddFlow(mesh, flow, { periodic });
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Inflow");
+  values->SetNumberOfValues(mesh->GetNumberOfCells());
+  values->Fill(value);
+  mesh->GetCellData()->AddArray(values);
+  vtkNew<vtkInflowMapping> mapping;
+  mapping->SetFormula(vtkInflowMapping::ALL, formula);
+  vtkNew<vtkStreamSurfaceParameters> parameters;
+  parameters->SetInputData(mesh);
+  parameters->SetMapping(mapping);
+  parameters->AddTerminationSurface(surface, 0);
+  parameters->AddStartPoint(start[0], start[1], start[2]);
+  parameters->Update();
+  vtkPolyData* output = parameters->GetOutput();
+  const double length = output->GetFieldData()->GetArray("ContourLength")->GetComponent(0, 0);
+  std::vector<double> found;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    found.push_back(output->GetPointData()->GetTCoords()->GetComponent(i, 0) / length);
+  }
+  return found;
+}
+
 // Places far from their contour: the nearest on a circle is at the same angle.
 void CheckFar(Check& check)
 {
   check.SetContext("far from the contour");
   vtkNew<Plane> plane;
-  vtkNew<vtkInflowMapping> mapping;
-  mapping->SetFormula(vtkInflowMapping::ALL, "(u-0.5)^2+(v-0.5)^2");
-  // Triangles of one point each, at a spiral of parameters.
+  // At a spiral of parameters.
   MeshBuilder builder;
   constexpr int number = 300;
   for (int i = 0; i < number; ++i)
@@ -455,25 +476,11 @@ void CheckFar(Check& check)
     builder.AddCell(VTK_TRIANGLE, { p, p, p });
   }
   auto mesh = builder.GetMesh();
-  AddFlow(mesh, UniformFlow(1.0), { { { 0, 0, 0 } } });
-  vtkNew<vtkDoubleArray> values;
-  values->SetName("Inflow");
-  values->SetNumberOfValues(number);
-  values->Fill(0.09);
-  mesh->GetCellData()->AddArray(values);
-  vtkNew<vtkStreamSurfaceParameters> parameters;
-  parameters->SetInputData(mesh);
-  parameters->SetMapping(mapping);
-  parameters->AddTerminationSurface(plane, 0);
-  parameters->AddStartPoint(0.0, 0.8, 0.5);
-  parameters->Update();
-  const double turn =
-    parameters->GetOutput()->GetFieldData()->GetArray("ContourLength")->GetComponent(0, 0);
+  const std::vector<double> found = GetFar(mesh, UniformFlow(1.0), { { 0, 0, 0 } },
+    "(u-0.5)^2+(v-0.5)^2", 0.09, plane, { { 0.0, 0.8, 0.5 } });
   for (int i = 0; i < number; ++i)
   {
-    const double found =
-      parameters->GetOutput()->GetPointData()->GetTCoords()->GetComponent(i, 0) / turn;
-    const double turns = found + i / (2.0 * Pi);
+    const double turns = found[i] + i / (2.0 * Pi);
     check.Near(turns, std::round(turns), 2e-3, "the nearest place", 1.0);
   }
 }
@@ -483,8 +490,6 @@ void CheckFarAround(Check& check)
 {
   check.SetContext("far from a contour around a cylinder");
   vtkNew<Cylinder> cylinder;
-  vtkNew<vtkInflowMapping> mapping;
-  mapping->SetFormula(vtkInflowMapping::ALL, "v+0.1*sin(6.283185307179586*u)");
   MeshBuilder builder;
   constexpr int number = 60;
   for (int i = 0; i < number; ++i)
@@ -495,18 +500,8 @@ void CheckFarAround(Check& check)
     builder.AddCell(VTK_TRIANGLE, { p, p, p });
   }
   auto mesh = builder.GetMesh();
-  AddFlow(mesh, CylinderFlow(0.999), { { { 0, 1, 0 } } });
-  vtkNew<vtkDoubleArray> values;
-  values->SetName("Inflow");
-  values->SetNumberOfValues(number);
-  values->Fill(0.5);
-  mesh->GetCellData()->AddArray(values);
-  vtkNew<vtkStreamSurfaceParameters> parameters;
-  parameters->SetInputData(mesh);
-  parameters->SetMapping(mapping);
-  parameters->AddTerminationSurface(cylinder, 0);
-  parameters->AddStartPoint(1.0, 0.0, 0.5);
-  parameters->Update();
+  const std::vector<double> found = GetFar(mesh, CylinderFlow(0.999), { { 0, 1, 0 } },
+    "v+0.1*sin(6.283185307179586*u)", 0.5, cylinder, { { 1.0, 0.0, 0.5 } });
   for (int i = 0; i < number; ++i)
   {
     const double* uv = mesh->GetPointData()->GetArray("TerminationUV")->GetTuple2(i);
@@ -523,8 +518,7 @@ void CheckFarAround(Check& check)
       nearest = distance < least ? length : nearest;
       least = std::min(least, distance);
     }
-    const double found = parameters->GetOutput()->GetPointData()->GetTCoords()->GetComponent(i, 0);
-    const double turns = (found - nearest) / length;
+    const double turns = found[i] - nearest / length;
     check.Near(turns, std::round(turns), 3e-3, "the nearest place", 1.0);
   }
 }
@@ -537,8 +531,8 @@ void CheckRuns(Check& check)
     "parameters",
     [&]()
     {
-      Pipeline pipeline(MakeCylinderFlow(), "v+0.1*cos(6.283185307179586*u)", { 0.4, 0.5 });
-      pipeline.Parameters->AddTerminationSurface(cylinder, 0);
+      Pipeline pipeline(
+        MakeCylinderFlow(), "v+0.1*cos(6.283185307179586*u)", { 0.4, 0.5 }, cylinder);
       vtkPolyData* output = pipeline.Update();
       auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
       grid->SetPoints(output->GetPoints());
@@ -586,8 +580,7 @@ void CheckErrors(Check& check)
   {
     check.SetContext(one.Part);
     plane->SetSize(1.0, 1.0);
-    Pipeline pipeline(MakePlaneFlow(8), "u", { 0.4 });
-    pipeline.Parameters->AddTerminationSurface(plane, 0);
+    Pipeline pipeline(MakePlaneFlow(8), "u", { 0.4 }, plane);
     pipeline.Volume->Update();
     vtkNew<vtkUnstructuredGrid> input;
     input->DeepCopy(pipeline.Volume->GetOutput(1));
@@ -616,8 +609,7 @@ void CheckErrors(Check& check)
   CheckGrowth(watch, 3, check);
   // A contour smaller than a square is not found.
   check.SetContext("no contour");
-  Pipeline small(MakePlaneFlow(41), "(u-0.525)^2+(v-0.525)^2", { 0.0002 });
-  small.Parameters->AddTerminationSurface(plane, 0);
+  Pipeline small(MakePlaneFlow(41), "(u-0.525)^2+(v-0.525)^2", { 0.0002 }, plane);
   small.Parameters->SetResolution(4);
   check.Equal(small.GetNumberOfContours(), 0, "none");
   ForEachTriangle(small.Update(),

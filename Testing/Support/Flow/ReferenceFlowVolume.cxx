@@ -2,6 +2,7 @@
 #include "Support/Flow/ReferenceFlowVolume.h"
 
 #include "Support/Checks/ReferenceMessages.h"
+#include "Support/Checks/ReferenceRandom.h"
 
 #include "vtkFieldData.h"
 #include "vtkFlowVolume.h"
@@ -56,4 +57,20 @@ double reference::MeasureVolumeIn(
     sum += isInside(center) ? vtkTetra::ComputeVolume(x[0], x[1], x[2], x[3]) : 0.0;
   }
   return sum;
+}
+
+std::vector<std::array<double, 3>> reference::MakeRandomPlaces(int boxes, unsigned int seed)
+{
+  Random random(seed);
+  std::vector<std::array<double, 3>> places;
+  for (int i = 0; i < boxes * boxes * boxes; ++i)
+  {
+    const int box[3] = { i % boxes, i / boxes % boxes, i / boxes / boxes };
+    places.emplace_back();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      places.back()[axis] = -1.0 + 2.0 * (box[axis] + random.Get(0.0, 1.0)) / boxes;
+    }
+  }
+  return places;
 }

@@ -4,7 +4,9 @@
 
 #include "vtkSmartPointer.h" // for the meshes
 
+#include <array>      // for places
 #include <functional> // for regions
+#include <vector>     // for places
 
 class vtkDataSet;
 class vtkTerminationPlane;
@@ -28,6 +30,9 @@ vtkSmartPointer<vtkUnstructuredGrid> ExtractUncutFlow(vtkDataSet* samples);
 /// The volume of the tetrahedra whose center is in a region.
 double MeasureVolumeIn(
   vtkUnstructuredGrid* mesh, const std::function<bool(const double*)>& isInside);
+
+/// A random place in each of \a boxes^3 boxes that fill the cube from -1 to 1.
+std::vector<std::array<double, 3>> MakeRandomPlaces(int boxes, unsigned int seed);
 
 }
 
