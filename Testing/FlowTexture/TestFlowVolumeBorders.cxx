@@ -3,6 +3,7 @@
 // round to, and where paint is small: nothing is mixed, and letters stay legible.
 #include "FlowDrawing.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCamera.h"
@@ -86,18 +87,15 @@ void TestSurfaces(Check& check)
   double blue = 0.0;
   double mixed = 0.0;
   int off = 0;
-  for (int j = 0; j < scene.Size[1]; ++j)
+  for (const auto& [j, i] : AllIndices(scene.Size[1], scene.Size[0]))
   {
-    for (int i = 0; i < scene.Size[0]; ++i)
-    {
-      const double* pixel = found.At(i, j);
-      blue = std::max(blue, pixel[2]);
-      mixed = std::max(mixed, std::min(pixel[0], pixel[1]));
-      off += std::abs(pixel[0] - expected.At(i, j)[0]) > 0.5 ||
-          std::abs(pixel[3] - expected.At(i, j)[3]) > 0.5
-        ? 1
-        : 0;
-    }
+    const double* pixel = found.At(i, j);
+    blue = std::max(blue, pixel[2]);
+    mixed = std::max(mixed, std::min(pixel[0], pixel[1]));
+    off += std::abs(pixel[0] - expected.At(i, j)[0]) > 0.5 ||
+        std::abs(pixel[3] - expected.At(i, j)[3]) > 0.5
+      ? 1
+      : 0;
   }
   std::cout << "two surfaces: blue " << blue << ", mixed " << mixed << ", pixels beyond a border "
             << off << "\n";
@@ -293,14 +291,11 @@ void TestLetter(Check& check)
   const RgbaPicture expected = MakeFlowPicture(scene, 400);
   int inside = 0;
   int wrong = 0;
-  for (int j = 0; j < scene.Size[1]; ++j)
+  for (const auto& [j, i] : AllIndices(scene.Size[1], scene.Size[0]))
   {
-    for (int i = 0; i < scene.Size[0]; ++i)
-    {
-      const bool isExpected = expected.At(i, j)[3] > 0.5;
-      inside += isExpected ? 1 : 0;
-      wrong += isExpected != (found.At(i, j)[3] > 0.5) ? 1 : 0;
-    }
+    const bool isExpected = expected.At(i, j)[3] > 0.5;
+    inside += isExpected ? 1 : 0;
+    wrong += isExpected != (found.At(i, j)[3] > 0.5) ? 1 : 0;
   }
   const PictureError error = ComparePictures(found, expected);
   std::cout << "a letter: " << wrong << " pixels wrong of " << inside << "; " << error << "\n";

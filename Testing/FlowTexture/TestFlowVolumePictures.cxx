@@ -3,6 +3,7 @@
 // formula: an image through uniform flow, a rotation, a strained flow on finer and finer voxels.
 #include "FlowDrawing.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCamera.h"
@@ -64,33 +65,30 @@ void TestImage(Check& check)
     int count = 0;
     // The camera sees u from left to right.
     const double pixel = 2.0 * scene.Camera->GetParallelScale() / scene.Size[1];
-    for (int j = 0; j < scene.Size[1]; ++j)
+    for (const auto& [j, i] : AllIndices(scene.Size[1], scene.Size[0]))
     {
-      for (int i = 0; i < scene.Size[0]; ++i)
+      const double y = (i + 0.5 - 0.5 * scene.Size[0]) * pixel;
+      const double z = (j + 0.5 - 0.5 * scene.Size[1]) * pixel;
+      if (std::max(std::abs(y), std::abs(z)) > 0.5)
       {
-        const double y = (i + 0.5 - 0.5 * scene.Size[0]) * pixel;
-        const double z = (j + 0.5 - 0.5 * scene.Size[1]) * pixel;
-        if (std::max(std::abs(y), std::abs(z)) > 0.5)
-        {
-          continue;
-        }
-        bool isEdge = false;
-        const Color4 here = Blocks(y + 0.5, z + 0.5);
-        for (int corner = 0; corner < 4; ++corner)
-        {
-          const double reach = 1.0 / 64.0;
-          isEdge = isEdge ||
-            Blocks(y + 0.5 + (corner % 2 == 0 ? reach : -reach),
-              z + 0.5 + (corner / 2 == 0 ? reach : -reach)) != here;
-        }
-        for (int c = 0; c < 4; ++c)
-        {
-          const double painted = here[3] * (c < 3 ? here[c] : 1.0);
-          const double error = std::abs(found.At(i, j)[c] - painted);
-          largest = std::max(largest, isEdge ? 0.0 : error);
-          sum += isEdge ? 0.0 : error;
-          count += isEdge ? 0 : 1;
-        }
+        continue;
+      }
+      bool isEdge = false;
+      const Color4 here = Blocks(y + 0.5, z + 0.5);
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        const double reach = 1.0 / 64.0;
+        isEdge = isEdge ||
+          Blocks(y + 0.5 + (corner % 2 == 0 ? reach : -reach),
+            z + 0.5 + (corner / 2 == 0 ? reach : -reach)) != here;
+      }
+      for (int c = 0; c < 4; ++c)
+      {
+        const double painted = here[3] * (c < 3 ? here[c] : 1.0);
+        const double error = std::abs(found.At(i, j)[c] - painted);
+        largest = std::max(largest, isEdge ? 0.0 : error);
+        sum += isEdge ? 0.0 : error;
+        count += isEdge ? 0 : 1;
       }
     }
     const PictureError error = ComparePictures(found, expected);

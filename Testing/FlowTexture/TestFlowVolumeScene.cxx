@@ -3,6 +3,7 @@
 // several renderers, selection, and the same flow through vtkFlowVolume.
 #include "FlowDrawing.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Pictures/PictureSettings.h"
 #include "Support/Checks/ReferenceCheck.h"
 
@@ -169,15 +170,9 @@ void TestOpaque(Check& check)
     scene.IsKept = [](const Place3& x) { return x[0] > 0.05; };
     const RgbaPicture expected = MakeFlowPicture(scene, 800);
     double largest = 0.0;
-    for (int j = 0; j < scene.Size[1]; ++j)
+    for (const auto& [j, i, c] : AllIndices(scene.Size[1], scene.Size[0], 3))
     {
-      for (int i = 0; i < scene.Size[0]; ++i)
-      {
-        for (int c = 0; c < 3; ++c)
-        {
-          largest = std::max(largest, std::abs(found.At(i, j)[c] - expected.At(i, j)[c]));
-        }
-      }
+      largest = std::max(largest, std::abs(found.At(i, j)[c] - expected.At(i, j)[c]));
     }
     std::cout << "before a pane, parallel " << isParallel << ": " << largest << "\n";
     check.That(largest < 2e-3, "a pane hides what is behind it");
@@ -223,17 +218,11 @@ void TestRenderers(Check& check)
   window->GetRGBACharPixelData(0, 0, 95, 47, 0, pixels);
   int largest = 0;
   int brightest = 0;
-  for (int j = 0; j < 48; ++j)
+  for (const auto& [j, i, c] : AllIndices(48, 48, 3))
   {
-    for (int i = 0; i < 48; ++i)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        const int a = pixels->GetTypedComponent(96 * j + i, c);
-        largest = std::max(largest, std::abs(a - pixels->GetTypedComponent(96 * j + 48 + i, c)));
-        brightest = std::max(brightest, a);
-      }
-    }
+    const int a = pixels->GetTypedComponent(96 * j + i, c);
+    largest = std::max(largest, std::abs(a - pixels->GetTypedComponent(96 * j + 48 + i, c)));
+    brightest = std::max(brightest, a);
   }
   check.That(brightest > 50 && largest <= 1, "the same picture twice");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FuzzData.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Meshes/ReferenceMesh.h"
 #include "Support/Meshes/ReferenceTransform.h"
 
@@ -87,28 +88,22 @@ vtkSmartPointer<vtkDataSet> MakeStructured(FuzzRandom& random, bool isTame)
   points->SetDataType(random.Chance(0.5) ? VTK_FLOAT : VTK_DOUBLE);
   const bool isClosed = !isTame && random.Chance(0.3);
   const double jitter = isTame ? 0.0 : random.Pick<double>({ 0.0, 0.2, 1.0 });
-  for (int k = 0; k < dimensions[2]; ++k)
+  for (const auto& [k, j, i] : reference::AllIndices(dimensions[2], dimensions[1], dimensions[0]))
   {
-    for (int j = 0; j < dimensions[1]; ++j)
+    // The last column of a closed grid is its first.
+    const double turn =
+      6.283185307179586 * (i % std::max(dimensions[0] - 1, 1)) / std::max(dimensions[0] - 1, 1);
+    double x[3] = { 1.0 * i, 1.0 * j, 1.0 * k };
+    if (isClosed)
     {
-      for (int i = 0; i < dimensions[0]; ++i)
-      {
-        // The last column of a closed grid is its first.
-        const double turn =
-          6.283185307179586 * (i % std::max(dimensions[0] - 1, 1)) / std::max(dimensions[0] - 1, 1);
-        double x[3] = { 1.0 * i, 1.0 * j, 1.0 * k };
-        if (isClosed)
-        {
-          x[0] = (1.0 + j) * std::cos(turn);
-          x[1] = (1.0 + j) * std::sin(turn);
-        }
-        for (double& value : x)
-        {
-          value += random.Between(-jitter, jitter);
-        }
-        points->InsertNextPoint(x);
-      }
+      x[0] = (1.0 + j) * std::cos(turn);
+      x[1] = (1.0 + j) * std::sin(turn);
     }
+    for (double& value : x)
+    {
+      value += random.Between(-jitter, jitter);
+    }
+    points->InsertNextPoint(x);
   }
   grid->SetPoints(points);
   return grid;

@@ -2,6 +2,7 @@
 // The symmetries of a cell: how many there are, that they are a group of affine maps that take
 // edges to edges, and that the cases they take into each other have one origin.
 
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkIsotablePolytope.h"
@@ -118,23 +119,17 @@ private:
 
   void Solve(std::array<std::array<double, 9>, 5>& rows)
   {
-    for (int pivot = 0; pivot < 5; ++pivot)
+    for (const auto& [pivot, row] : reference::AllIndices(5, 5))
     {
-      for (int row = 0; row < 5; ++row)
+      const double factor = row == pivot ? 0.0 : rows[row][pivot] / rows[pivot][pivot];
+      for (int column = 0; column < 9; ++column)
       {
-        const double factor = row == pivot ? 0.0 : rows[row][pivot] / rows[pivot][pivot];
-        for (int column = 0; column < 9; ++column)
-        {
-          rows[row][column] -= factor * rows[pivot][column];
-        }
+        rows[row][column] -= factor * rows[pivot][column];
       }
     }
-    for (int i = 0; i < 5; ++i)
+    for (const auto& [i, j] : reference::AllIndices(5, 4))
     {
-      for (int j = 0; j < 4; ++j)
-      {
-        this->Matrix[i][j] = rows[i][5 + j] / rows[i][i];
-      }
+      this->Matrix[i][j] = rows[i][5 + j] / rows[i][i];
     }
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The cells of grids: concave polyhedra with concave faces that are not planar, beside every other
 // cell, become positive tetrahedra that fit together and fill what the cells fill.
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Meshes/ReferenceBlocks.h"
@@ -275,13 +276,10 @@ void CheckSingle(Check& check)
   check.SetContext("Schoenhardt");
   MeshBuilder builder;
   const double pi = std::acos(-1.0);
-  for (int k = 0; k < 2; ++k)
+  for (const auto& [k, i] : AllIndices(2, 3))
   {
-    for (int i = 0; i < 3; ++i)
-    {
-      const double angle = 2 * pi * i / 3 + k * pi / 6;
-      builder.AddPoint(std::cos(angle), std::sin(angle), k);
-    }
+    const double angle = 2 * pi * i / 3 + k * pi / 6;
+    builder.AddPoint(std::cos(angle), std::sin(angle), k);
   }
   builder.AddPolyhedron({ { 0, 2, 1 }, { 3, 4, 5 }, { 0, 1, 4 }, { 0, 4, 3 }, { 1, 2, 5 },
     { 1, 5, 4 }, { 2, 0, 3 }, { 2, 3, 5 } });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points alone: Delaunay tetrahedra of the convex hull, refined where a bound is set.
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceField.h"
 #include "Support/Meshes/ReferenceMeshing.h"
@@ -102,15 +103,9 @@ int TestTetrahedralMesherPoints(int, char*[])
 
   check.SetContext("a lattice: many points on one sphere");
   vtkNew<vtkPoints> lattice;
-  for (int k = 0; k < 5; ++k)
+  for (const auto& [k, j, i] : AllIndices(5, 5, 5))
   {
-    for (int j = 0; j < 5; ++j)
-    {
-      for (int i = 0; i < 5; ++i)
-      {
-        lattice->InsertNextPoint(i / 4.0, j / 4.0, k / 4.0);
-      }
-    }
+    lattice->InsertNextPoint(i / 4.0, j / 4.0, k / 4.0);
   }
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(lattice);

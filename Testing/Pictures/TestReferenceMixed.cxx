@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The reference of volumes and surfaces in one picture, checked by itself: closed forms of slabs of
 // smoke, edges of shadows and penumbras, and of surfaces before, in, behind and between volumes.
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Pictures/LightPoints.h"
 #include "Support/Pictures/MixedScene.h"
 #include "Support/Pictures/ReferenceMixedPicture.h"
@@ -204,16 +205,13 @@ void TestBoxShadow(Check& check)
   box->SetBounds(-0.5, -0.1, -0.3, 0.3, 0.1, 0.4);
   scene.Surfaces.push_back({ MakeActor(box), {} });
   const RgbaPicture picture = MakeMixedPicture(scene);
-  for (int j = 0; j < Width; ++j)
+  for (const auto& [j, i] : AllIndices(Width, Width))
   {
-    for (int i = 0; i < Width; ++i)
-    {
-      // The light goes as far along x as down.
-      const double x = GetX(i);
-      const bool isShadowed = x > -0.4 && x < 0.3 && std::abs(GetX(j)) < 0.3;
-      check.Near(picture.At(i, j)[0], isShadowed ? 0.0 : std::sqrt(0.5), Bound,
-        "box, pixel " + std::to_string(i) + ", " + std::to_string(j), 1.0);
-    }
+    // The light goes as far along x as down.
+    const double x = GetX(i);
+    const bool isShadowed = x > -0.4 && x < 0.3 && std::abs(GetX(j)) < 0.3;
+    check.Near(picture.At(i, j)[0], isShadowed ? 0.0 : std::sqrt(0.5), Bound,
+      "box, pixel " + std::to_string(i) + ", " + std::to_string(j), 1.0);
   }
 }
 

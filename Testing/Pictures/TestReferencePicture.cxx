@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The reference against closed forms: slabs, linear extinction, two slabs, order, every blend mode.
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Drawing/PictureCases.h"
 #include "Support/Pictures/ReferenceIntegral.h"
 #include "Support/Pictures/ReferenceVolumePicture.h"
@@ -58,16 +59,13 @@ void TestSlab(Check& check)
       auto property = MakeProperty({ { 0.0, Grey, 2.0 * extinction } }, 2.0);
       const RgbaPicture picture = MakeReferencePicture(grid, property, camera, settings);
       int inside = 0;
-      for (int j = 0; j < settings.Size[1]; ++j)
+      for (const auto& [j, i] : AllIndices(settings.Size[1], settings.Size[0]))
       {
-        for (int i = 0; i < settings.Size[0]; ++i)
-        {
-          const double chord = BoxChord(grid, PixelRays(camera, settings.Size).Get(i, j));
-          const double alpha = -std::expm1(-extinction * chord);
-          check.Near(picture.At(i, j)[3], alpha, Bound, "alpha of a slab", 1e-6 * extinction);
-          check.Near(picture.At(i, j)[0], 0.5 * alpha, Bound, "red of a slab", 1e-6 * extinction);
-          inside += chord > 0.0 ? 1 : 0;
-        }
+        const double chord = BoxChord(grid, PixelRays(camera, settings.Size).Get(i, j));
+        const double alpha = -std::expm1(-extinction * chord);
+        check.Near(picture.At(i, j)[3], alpha, Bound, "alpha of a slab", 1e-6 * extinction);
+        check.Near(picture.At(i, j)[0], 0.5 * alpha, Bound, "red of a slab", 1e-6 * extinction);
+        inside += chord > 0.0 ? 1 : 0;
       }
       check.That(inside > 100, "the slab is seen");
     }
@@ -288,14 +286,11 @@ void TestSlivers(Check& check)
     settings.Size = { { 16, 16 } };
     auto property = MakeProperty({ { 0.0, Grey, 1.0 } }, thickness);
     const RgbaPicture picture = MakeReferencePicture(grid, property, camera, settings);
-    for (int j = 0; j < 16; ++j)
+    for (const auto& [j, i] : AllIndices(16, 16))
     {
-      for (int i = 0; i < 16; ++i)
-      {
-        const double chord = BoxChord(grid, PixelRays(camera, settings.Size).Get(i, j));
-        check.Near(
-          picture.At(i, j)[3], -std::expm1(-chord / thickness), 1e-8, "thin tetrahedra", 1.0);
-      }
+      const double chord = BoxChord(grid, PixelRays(camera, settings.Size).Get(i, j));
+      check.Near(
+        picture.At(i, j)[3], -std::expm1(-chord / thickness), 1e-8, "thin tetrahedra", 1.0);
     }
   }
 }

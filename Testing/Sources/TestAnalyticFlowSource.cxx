@@ -2,6 +2,7 @@
 // Velocities against formulas and properties written anew, the Jacobian against differences,
 // divergence, flow maps against integration, obstacles; parts, threads, progress and abort;
 // settings.
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/AnalyticFlows/ReferenceFlowMaps.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceProgress.h"
@@ -246,20 +247,17 @@ double GetFlux(const vtkAnalyticFlowSource* source, const FlowVector& center, do
   constexpr int intervals = 20;
   constexpr int turns = 80;
   double flux = 0.0;
-  for (int k = 0; k < intervals; ++k)
+  for (const auto& [k, node] : AllIndices(intervals, 4))
   {
-    for (int node = 0; node < 4; ++node)
+    const double z = -1.0 + (2.0 * k + 1.0 + nodes[node]) / intervals;
+    const double r = std::sqrt(1.0 - z * z);
+    for (int turn = 0; turn < turns; ++turn)
     {
-      const double z = -1.0 + (2.0 * k + 1.0 + nodes[node]) / intervals;
-      const double r = std::sqrt(1.0 - z * z);
-      for (int turn = 0; turn < turns; ++turn)
-      {
-        const double angle = 2.0 * Pi * turn / turns;
-        const FlowVector n = { { r * std::cos(angle), r * std::sin(angle), z } };
-        const FlowVector v = Evaluate(source, Move(center, n, radius));
-        flux +=
-          weights[node] / intervals * 2.0 * Pi / turns * (v[0] * n[0] + v[1] * n[1] + v[2] * n[2]);
-      }
+      const double angle = 2.0 * Pi * turn / turns;
+      const FlowVector n = { { r * std::cos(angle), r * std::sin(angle), z } };
+      const FlowVector v = Evaluate(source, Move(center, n, radius));
+      flux +=
+        weights[node] / intervals * 2.0 * Pi / turns * (v[0] * n[0] + v[1] * n[1] + v[2] * n[2]);
     }
   }
   return flux * radius * radius;

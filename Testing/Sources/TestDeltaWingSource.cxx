@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The vortices and the grid against their formulas, written again here; the orientation of the
 // cells, the tetrahedra that the header tells.
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"
 #include "Support/TimeVarying/ReferenceTemporalSource.h"
@@ -99,20 +100,17 @@ void CheckGrid(vtkDeltaWingSource* source, const Wing& wing, Check& check)
   int n[3];
   grid->GetDimensions(n);
   vtkIdType point = 0;
-  for (int k = 0; k < n[2]; ++k)
+  for (const auto& [k, j] : AllIndices(n[2], n[1]))
   {
-    for (int j = 0; j < n[1]; ++j)
+    for (int i = 0; i < n[0]; ++i, ++point)
     {
-      for (int i = 0; i < n[0]; ++i, ++point)
-      {
-        double x[3];
-        grid->GetPoint(point, x);
-        const double b = wing.HalfSpan(0.1 + 1.1 * i / (n[0] - 1));
-        const double up = static_cast<double>(k) / (n[2] - 1);
-        check.Near(x[0], 0.1 + 1.1 * i / (n[0] - 1), 1e-13, "x", 1.0);
-        check.Near(x[1], 1.5 * b * (2.0 * j / (n[1] - 1) - 1.0), 1e-13, "y", 1.0);
-        check.Near(x[2], 0.7 * b * (up + up * up), 1e-13, "z", 1.0);
-      }
+      double x[3];
+      grid->GetPoint(point, x);
+      const double b = wing.HalfSpan(0.1 + 1.1 * i / (n[0] - 1));
+      const double up = static_cast<double>(k) / (n[2] - 1);
+      check.Near(x[0], 0.1 + 1.1 * i / (n[0] - 1), 1e-13, "x", 1.0);
+      check.Near(x[1], 1.5 * b * (2.0 * j / (n[1] - 1) - 1.0), 1e-13, "y", 1.0);
+      check.Near(x[2], 0.7 * b * (up + up * up), 1e-13, "z", 1.0);
     }
   }
   check.Equal(CountLeftHandedCells(grid), 0, "cells that are not right-handed");

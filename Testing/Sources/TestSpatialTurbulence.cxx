@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every mode against its definition with the operand and the noise themselves; bounds; seeds;
 // frequencies of zero; what is refused.
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceProgress.h"
 #include "Support/Meshes/ReferenceImageSource.h"
@@ -66,44 +67,41 @@ void CheckModes(Check& check)
   object->SetNumberOfOctaves(3);
   object->SetGain(2.5);
   vtkNew<vtkMinimalStandardRandomSequence> random;
-  for (int mode = 0; mode < vtkSpatialTurbulence::NUMBER_OF_MODES; ++mode)
+  for (const auto& [mode, sum] : AllIndices(vtkSpatialTurbulence::NUMBER_OF_MODES, 3))
   {
-    for (int sum = 0; sum < 3; ++sum)
+    for (double amplitude : { 0.4, -0.4 })
     {
-      for (double amplitude : { 0.4, -0.4 })
+      object->SetMode(mode);
+      object->SetSum(sum);
+      object->SetAmplitude(amplitude);
+      object->SetSeed(mode);
+      check.SetContext(std::string(vtkSpatialTurbulence::GetModeName(mode)) + " by " +
+        vtkGradientNoise::GetSumName(sum) + " times " + std::to_string(amplitude));
+      double bounds[6];
+      object->GetBounds(bounds);
+      int changed = 0;
+      for (int i = 0; i < 1500; ++i)
       {
-        object->SetMode(mode);
-        object->SetSum(sum);
-        object->SetAmplitude(amplitude);
-        object->SetSeed(mode);
-        check.SetContext(std::string(vtkSpatialTurbulence::GetModeName(mode)) + " by " +
-          vtkGradientNoise::GetSumName(sum) + " times " + std::to_string(amplitude));
-        double bounds[6];
-        object->GetBounds(bounds);
-        int changed = 0;
-        for (int i = 0; i < 1500; ++i)
+        double x[3];
+        for (double& coordinate : x)
         {
-          double x[3];
-          for (double& coordinate : x)
-          {
-            coordinate = random->GetNextRangeValue(-1.0, 1.0);
-          }
-          Sample sample;
-          object->Evaluate(x, sample);
-          check.Near(sample.Density, GetExpected(object, sphere, x), 1e-14, "density", 1.0);
-          if (sample.Density > 0.0)
-          {
-            check.Near(sample.Color[1], 0.4, 0.0, "green");
-            check.That(x[0] >= bounds[0] && x[0] <= bounds[1] && x[1] >= bounds[2] &&
-                x[1] <= bounds[3] && x[2] >= bounds[4] && x[2] <= bounds[5],
-              "density is inside the bounds");
-          }
-          Sample plain;
-          sphere->Evaluate(x, plain);
-          changed += plain.Density != sample.Density;
+          coordinate = random->GetNextRangeValue(-1.0, 1.0);
         }
-        check.That(changed > 100, "densities are changed");
+        Sample sample;
+        object->Evaluate(x, sample);
+        check.Near(sample.Density, GetExpected(object, sphere, x), 1e-14, "density", 1.0);
+        if (sample.Density > 0.0)
+        {
+          check.Near(sample.Color[1], 0.4, 0.0, "green");
+          check.That(x[0] >= bounds[0] && x[0] <= bounds[1] && x[1] >= bounds[2] &&
+              x[1] <= bounds[3] && x[2] >= bounds[4] && x[2] <= bounds[5],
+            "density is inside the bounds");
+        }
+        Sample plain;
+        sphere->Evaluate(x, plain);
+        changed += plain.Density != sample.Density;
       }
+      check.That(changed > 100, "densities are changed");
     }
   }
 }

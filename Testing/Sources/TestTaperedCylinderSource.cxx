@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The wake and the grid against their formulas, written again here; the seam, the orientation of
 // the cells, the tetrahedra that the header tells.
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"
 #include "Support/TimeVarying/ReferenceTemporalSource.h"
@@ -94,30 +95,27 @@ void CheckGrid(vtkTaperedCylinderSource* source, const Wake& wake, Check& check)
   vtkStructuredGrid* grid = source->GetOutput();
   int n[3];
   grid->GetDimensions(n);
-  for (int k = 0; k < n[2]; ++k)
+  for (const auto& [k, j] : AllIndices(n[2], n[1]))
   {
-    for (int j = 0; j < n[1]; ++j)
+    for (int i = 0; i < n[0]; ++i)
     {
-      for (int i = 0; i < n[0]; ++i)
-      {
-        double x[3];
-        grid->GetPoint(i + n[0] * (j + n[1] * k), x);
-        const double z = k * wake.Height / (n[2] - 1);
-        const double wall = wake.Diameter(z) / 2.0;
-        const double r = wall +
-          (wake.Outer - wall) * (std::exp(2.0 * i / (n[0] - 1)) - 1.0) / (std::exp(2.0) - 1.0);
-        const double around = 2.0 * Pi * j / (n[1] - 1);
-        const double angle = around - Pi + 0.75 * std::sin(around);
-        check.Near(x[0], r * std::cos(angle), 1e-12, "x", wake.Outer);
-        check.Near(x[1], r * std::sin(angle), 1e-12, "y", wake.Outer);
-        check.Near(x[2], z, 1e-13, "z", wake.Height);
-      }
-      double first[3];
-      double last[3];
-      grid->GetPoint(n[0] * n[1] * k + j % n[0], first);
-      grid->GetPoint(n[0] * (n[1] * (k + 1) - 1) + j % n[0], last);
-      check.That(std::equal(first, first + 3, last), "the seam is closed to the bit");
+      double x[3];
+      grid->GetPoint(i + n[0] * (j + n[1] * k), x);
+      const double z = k * wake.Height / (n[2] - 1);
+      const double wall = wake.Diameter(z) / 2.0;
+      const double r =
+        wall + (wake.Outer - wall) * (std::exp(2.0 * i / (n[0] - 1)) - 1.0) / (std::exp(2.0) - 1.0);
+      const double around = 2.0 * Pi * j / (n[1] - 1);
+      const double angle = around - Pi + 0.75 * std::sin(around);
+      check.Near(x[0], r * std::cos(angle), 1e-12, "x", wake.Outer);
+      check.Near(x[1], r * std::sin(angle), 1e-12, "y", wake.Outer);
+      check.Near(x[2], z, 1e-13, "z", wake.Height);
     }
+    double first[3];
+    double last[3];
+    grid->GetPoint(n[0] * n[1] * k + j % n[0], first);
+    grid->GetPoint(n[0] * (n[1] * (k + 1) - 1) + j % n[0], last);
+    check.That(std::equal(first, first + 3, last), "the seam is closed to the bit");
   }
   check.Equal(CountLeftHandedCells(grid), 0, "cells that are not right-handed");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Values against the formula, with every sum, falloff and envelope; seeds; parts, threads, progress
 // and abort; settings.
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceProgress.h"
 #include "Support/Meshes/ReferenceImageSource.h"
@@ -62,35 +63,30 @@ void CheckValues(Check& check)
 {
   vtkNew<vtkTurbulenceSource> source;
   Configure(source);
-  for (int sum = 0; sum < 3; ++sum)
+  for (const auto& [sum, falloff, envelope] : AllIndices(
+         3, vtkTurbulenceSource::NUMBER_OF_FALLOFFS, vtkTurbulenceSource::NUMBER_OF_ENVELOPES))
   {
-    for (int falloff = 0; falloff < vtkTurbulenceSource::NUMBER_OF_FALLOFFS; ++falloff)
+    check.SetContext(std::string(vtkGradientNoise::GetSumName(sum)) + ", falloff " +
+      vtkTurbulenceSource::GetFalloffName(falloff) + ", envelope " +
+      vtkTurbulenceSource::GetEnvelopeName(envelope));
+    source->SetSum(sum);
+    source->SetFalloff(falloff);
+    source->SetEnvelope(envelope);
+    source->SetVerticalAxis((falloff + envelope) % 3);
+    source->Update();
+    vtkImageData* image = source->GetOutput();
+    vtkDataArray* values = image->GetPointData()->GetArray("Turbulence");
+    if (!check.That(values && values == image->GetPointData()->GetScalars(), "the array"))
     {
-      for (int envelope = 0; envelope < vtkTurbulenceSource::NUMBER_OF_ENVELOPES; ++envelope)
-      {
-        check.SetContext(std::string(vtkGradientNoise::GetSumName(sum)) + ", falloff " +
-          vtkTurbulenceSource::GetFalloffName(falloff) + ", envelope " +
-          vtkTurbulenceSource::GetEnvelopeName(envelope));
-        source->SetSum(sum);
-        source->SetFalloff(falloff);
-        source->SetEnvelope(envelope);
-        source->SetVerticalAxis((falloff + envelope) % 3);
-        source->Update();
-        vtkImageData* image = source->GetOutput();
-        vtkDataArray* values = image->GetPointData()->GetArray("Turbulence");
-        if (!check.That(values && values == image->GetPointData()->GetScalars(), "the array"))
-        {
-          return;
-        }
-        for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
-        {
-          double x[3];
-          image->GetPoint(i, x);
-          const double expected = GetExpected(source, x);
-          check.Near(values->GetTuple1(i), expected, 1e-6, "value", 1.0);
-          check.Near(source->Evaluate(x), expected, 1e-13, "value at a point", 1.0);
-        }
-      }
+      return;
+    }
+    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+    {
+      double x[3];
+      image->GetPoint(i, x);
+      const double expected = GetExpected(source, x);
+      check.Near(values->GetTuple1(i), expected, 1e-6, "value", 1.0);
+      check.Near(source->Evaluate(x), expected, 1e-13, "value at a point", 1.0);
     }
   }
 }

@@ -4,6 +4,7 @@
 // there is one: positive tetrahedra that fill the volume.
 #include "StabilityChecks.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Meshes/ReferenceMeshBuilder.h"
 #include "Support/Meshes/ReferenceMeshing.h"
 
@@ -153,12 +154,9 @@ void TestPoints(StabilityCatalogue& catalogue)
   data->SetPoints(points);
   points->InsertNextPoint(1, 2, 3);
   Refuse(catalogue, "points-one", "one point", "plane", data);
-  for (int j = 0; j < 4; ++j)
+  for (const auto& [j, i] : AllIndices(4, 5))
   {
-    for (int i = 0; i < 5; ++i)
-    {
-      points->InsertNextPoint(1 + i, 2 + j, 3);
-    }
+    points->InsertNextPoint(1 + i, 2 + j, 3);
   }
   Refuse(catalogue, "points-plane", "points of a plane", "plane", data);
   points->InsertNextPoint(1, NaN, 1);

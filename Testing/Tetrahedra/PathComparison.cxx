@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tetrahedra/PathComparison.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Pictures/PictureSettings.h"
 #include "Support/Pictures/ReferenceRay.h"
 #include "Support/Checks/ReferenceCheck.h"
@@ -146,17 +147,14 @@ void PathComparison::Compare(const PictureCase& what, const std::string& name)
   const int height = what.Settings.Size[1];
   PictureCase wanted = what;
   std::vector<std::array<int, 2>> apart;
-  for (int j = 0; j < height; ++j)
+  for (const auto& [j, i] : AllIndices(height, width))
   {
-    for (int i = 0; i < width; ++i)
+    const double distance = GetDistance(software.At(i, j), openGL.At(i, j));
+    wanted.Settings.Wanted.push_back(
+      distance > SoftwareBound || (i % Stride == 0 && j % Stride == 0));
+    if (distance > PathBound)
     {
-      const double distance = GetDistance(software.At(i, j), openGL.At(i, j));
-      wanted.Settings.Wanted.push_back(
-        distance > SoftwareBound || (i % Stride == 0 && j % Stride == 0));
-      if (distance > PathBound)
-      {
-        apart.push_back({ { i, j } });
-      }
+      apart.push_back({ { i, j } });
     }
   }
   this->Checks.That(LargestAlpha(openGL) > 0.1, name + ": something is seen");
@@ -164,18 +162,15 @@ void PathComparison::Compare(const PictureCase& what, const std::string& name)
   const RgbaPicture expected = DrawByReference(wanted);
   double error = 0.0;
   std::string place;
-  for (int j = 0; j < height; ++j)
+  for (const auto& [j, i] : AllIndices(height, width))
   {
-    for (int i = 0; i < width; ++i)
+    const double distance = wanted.Settings.Wanted[static_cast<std::size_t>(j) * width + i]
+      ? GetDistance(software.At(i, j), expected.At(i, j))
+      : 0.0;
+    if (distance > error)
     {
-      const double distance = wanted.Settings.Wanted[static_cast<std::size_t>(j) * width + i]
-        ? GetDistance(software.At(i, j), expected.At(i, j))
-        : 0.0;
-      if (distance > error)
-      {
-        error = distance;
-        place = GetPlace(i, j);
-      }
+      error = distance;
+      place = GetPlace(i, j);
     }
   }
   this->Checks.Near(error, 0.0, SoftwareBound, name + ": software path" + place, 1.0);

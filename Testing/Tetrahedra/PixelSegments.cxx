@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tetrahedra/PixelSegments.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCamera.h"
@@ -60,21 +61,18 @@ void PixelSegment::ClipToBox(const std::array<double, 6>& box, vtkVolume* volume
   volume->GetMatrix(place);
   vtkNew<vtkMatrix4x4> inverse;
   vtkMatrix4x4::Invert(place, inverse);
-  for (int axis = 0; axis < 3; ++axis)
+  for (const auto& [axis, side] : AllIndices(3, 2))
   {
-    for (int side = 0; side < 2; ++side)
+    double corner[4] = { box[0], box[2], box[4], 1.0 };
+    corner[axis] = box[2 * axis + side];
+    place->MultiplyPoint(corner, corner);
+    // The gradient of the volume's coordinate.
+    Point3 normal;
+    for (int k = 0; k < 3; ++k)
     {
-      double corner[4] = { box[0], box[2], box[4], 1.0 };
-      corner[axis] = box[2 * axis + side];
-      place->MultiplyPoint(corner, corner);
-      // The gradient of the volume's coordinate.
-      Point3 normal;
-      for (int k = 0; k < 3; ++k)
-      {
-        normal[k] = (side == 0 ? 1.0 : -1.0) * inverse->GetElement(axis, k);
-      }
-      this->Clip(normal, { { corner[0], corner[1], corner[2] } });
+      normal[k] = (side == 0 ? 1.0 : -1.0) * inverse->GetElement(axis, k);
     }
+    this->Clip(normal, { { corner[0], corner[1], corner[2] } });
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every blend mode, kind of array and clip of both render paths against the reference.
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Drawing/PictureCases.h"
 #include "Support/Pictures/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
@@ -297,17 +298,14 @@ void AddPlane(PictureCase& what, double behind, const Point3& color)
 
   const PixelRays rays(what.Camera, what.Settings.Size);
   what.Settings.OpaqueDistance.clear();
-  for (int j = 0; j < what.Settings.Size[1]; ++j)
+  for (const auto& [j, i] : AllIndices(what.Settings.Size[1], what.Settings.Size[0]))
   {
-    for (int i = 0; i < what.Settings.Size[0]; ++i)
-    {
-      const Ray ray = rays.Get(i, j);
-      const Vector n = { normal[0], normal[1], normal[2] };
-      const Vector offset = { center[0] - ray.Origin[0], center[1] - ray.Origin[1],
-        center[2] - ray.Origin[2] };
-      what.Settings.OpaqueDistance.push_back(
-        static_cast<double>(Dot(n, offset) / Dot(n, ray.Direction)));
-    }
+    const Ray ray = rays.Get(i, j);
+    const Vector n = { normal[0], normal[1], normal[2] };
+    const Vector offset = { center[0] - ray.Origin[0], center[1] - ray.Origin[1],
+      center[2] - ray.Origin[2] };
+    what.Settings.OpaqueDistance.push_back(
+      static_cast<double>(Dot(n, offset) / Dot(n, ray.Direction)));
   }
 }
 
@@ -323,17 +321,14 @@ void TestOpaque(Check& check, bool parallel)
       what.Settings.How = how;
       AddPlane(what, behind, color);
       RgbaPicture expected = DrawByReference(what);
-      for (int j = 0; j < expected.Height; ++j)
+      for (const auto& [j, i] : AllIndices(expected.Height, expected.Width))
       {
-        for (int i = 0; i < expected.Width; ++i)
+        double* pixel = expected.At(i, j);
+        for (int k = 0; k < 3; ++k)
         {
-          double* pixel = expected.At(i, j);
-          for (int k = 0; k < 3; ++k)
-          {
-            pixel[k] += (1.0 - pixel[3]) * color[k];
-          }
-          pixel[3] = 1.0;
+          pixel[k] += (1.0 - pixel[3]) * color[k];
         }
+        pixel[3] = 1.0;
       }
       for (int path : AllRenderPaths())
       {

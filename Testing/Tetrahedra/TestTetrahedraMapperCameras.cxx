@@ -2,6 +2,7 @@
 // Every kind of camera: stereo, sheared, off-axis, with user transforms. Silhouettes against those
 // of vtkPolyDataMapper, colors of slabs in order and cut by planes and surfaces against formulas,
 // selection, lit boundaries.
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Drawing/PictureCases.h"
 #include "Support/Pictures/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
@@ -317,27 +318,24 @@ void CompareSlabs(Check& check, Scene& scene, const RgbaPicture& picture, const 
   double largest = 0.0;
   int seen = 0;
   int different = 0;
-  for (int j = 0; j < picture.Height; ++j)
+  for (const auto& [j, i] : AllIndices(picture.Height, picture.Width))
   {
-    for (int i = 0; i < picture.Width; ++i)
+    PixelSegment segment = segments.Get(i, j);
+    if (clip)
     {
-      PixelSegment segment = segments.Get(i, j);
-      if (clip)
-      {
-        clip(segment);
-      }
-      const std::array<double, 4> expected = ExpectSlabs(segment, scene.Stage.GetVolume());
-      seen += expected[3] > 0.1 ? 1 : 0;
-      double error = 0.0;
-      // Something opaque has an alpha of its own.
-      for (int c = 0; c < (clip ? 3 : 4); ++c)
-      {
-        const double distance = std::abs(picture.At(i, j)[c] - expected[c]);
-        error = std::isfinite(distance) ? std::max(error, distance) : 1e9;
-      }
-      different += error > 1e-3 ? 1 : 0;
-      largest = std::max(largest, error);
+      clip(segment);
     }
+    const std::array<double, 4> expected = ExpectSlabs(segment, scene.Stage.GetVolume());
+    seen += expected[3] > 0.1 ? 1 : 0;
+    double error = 0.0;
+    // Something opaque has an alpha of its own.
+    for (int c = 0; c < (clip ? 3 : 4); ++c)
+    {
+      const double distance = std::abs(picture.At(i, j)[c] - expected[c]);
+      error = std::isfinite(distance) ? std::max(error, distance) : 1e9;
+    }
+    different += error > 1e-3 ? 1 : 0;
+    largest = std::max(largest, error);
   }
   check.That(seen > 1000, name + ": " + std::to_string(seen) + " pixels of the cube are seen");
   check.That(
@@ -531,18 +529,15 @@ void TestLitBoundary(Check& check, Scene& scene)
       const RgbaPicture picture = scene.Draw();
       double largest = 0.0;
       int seen = 0;
-      for (int j = 0; j < picture.Height; ++j)
+      for (const auto& [j, i] : AllIndices(picture.Height, picture.Width))
       {
-        for (int i = 0; i < picture.Width; ++i)
+        const double* wanted = expected.At(i, j);
+        if (wanted[3] > 0.5 && picture.At(i, j)[3] > 0.9999)
         {
-          const double* wanted = expected.At(i, j);
-          if (wanted[3] > 0.5 && picture.At(i, j)[3] > 0.9999)
+          ++seen;
+          for (int c = 0; c < 3; ++c)
           {
-            ++seen;
-            for (int c = 0; c < 3; ++c)
-            {
-              largest = std::max(largest, std::abs(picture.At(i, j)[c] - wanted[c]));
-            }
+            largest = std::max(largest, std::abs(picture.At(i, j)[c] - wanted[c]));
           }
         }
       }

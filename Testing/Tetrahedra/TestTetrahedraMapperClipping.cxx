@@ -2,6 +2,7 @@
 // Clipping planes at any angle against formulas: the depth of what they leave of each pixel's
 // segment, in every blend mode and kind of values, in order, with boundaries and selection; planes
 // through points; planes that come, move and go, in views that move.
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Drawing/PictureCases.h"
 #include "Support/Pictures/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
@@ -138,18 +139,15 @@ void Compare(Check& check, Scene& scene, const Planes& planes, double tolerance,
   const PixelSegments segments(scene.Stage.GetRenderer());
   double largest = 0.0;
   int seen = 0;
-  for (int j = 0; j < picture.Height; ++j)
+  for (const auto& [j, i] : AllIndices(picture.Height, picture.Width))
   {
-    for (int i = 0; i < picture.Width; ++i)
+    const PixelSegment segment = Clip(segments.Get(i, j), planes, scene.GetVolume());
+    const Color expected = segment.IsEmpty() ? Color{ { 0.0, 0.0, 0.0, 0.0 } } : formula(segment);
+    seen += expected[3] > 0.05 ? 1 : 0;
+    for (int c = 0; c < 4; ++c)
     {
-      const PixelSegment segment = Clip(segments.Get(i, j), planes, scene.GetVolume());
-      const Color expected = segment.IsEmpty() ? Color{ { 0.0, 0.0, 0.0, 0.0 } } : formula(segment);
-      seen += expected[3] > 0.05 ? 1 : 0;
-      for (int c = 0; c < 4; ++c)
-      {
-        const double error = std::abs(picture.At(i, j)[c] - expected[c]);
-        largest = std::isfinite(error) ? std::max(largest, error) : 1e9;
-      }
+      const double error = std::abs(picture.At(i, j)[c] - expected[c]);
+      largest = std::isfinite(error) ? std::max(largest, error) : 1e9;
     }
   }
   check.That(seen > 100, name + ": " + std::to_string(seen) + " pixels are seen");
@@ -400,26 +398,23 @@ void TestBoundary(Check& check, const Path& path, const Planes& planes, bool par
   const PixelSegments segments(scene.Stage.GetRenderer());
   int different = 0;
   int counts[3] = { 0, 0, 0 };
-  for (int j = 0; j < picture.Height; ++j)
+  for (const auto& [j, i] : AllIndices(picture.Height, picture.Width))
   {
-    for (int i = 0; i < picture.Width; ++i)
+    PixelSegment whole = segments.Get(i, j);
+    whole.ClipToBox(Box, scene.GetVolume());
+    const PixelSegment segment = Clip(segments.Get(i, j), planes, scene.GetVolume());
+    int faces = 0;
+    if (!segment.IsEmpty())
     {
-      PixelSegment whole = segments.Get(i, j);
-      whole.ClipToBox(Box, scene.GetVolume());
-      const PixelSegment segment = Clip(segments.Get(i, j), planes, scene.GetVolume());
-      int faces = 0;
-      if (!segment.IsEmpty())
-      {
-        faces += segment.GetFrom() == whole.GetFrom() ? 1 : 0;
-        faces += segment.GetTo() == whole.GetTo() ? 1 : 0;
-      }
-      ++counts[faces];
-      const double expected = faces == 0 ? 0.0 : faces == 1 ? 0.3 : 0.51;
-      different += std::abs(picture.At(i, j)[3] - expected) > 1e-3 ||
-          std::abs(picture.At(i, j)[1] - expected) > 1e-3
-        ? 1
-        : 0;
+      faces += segment.GetFrom() == whole.GetFrom() ? 1 : 0;
+      faces += segment.GetTo() == whole.GetTo() ? 1 : 0;
     }
+    ++counts[faces];
+    const double expected = faces == 0 ? 0.0 : faces == 1 ? 0.3 : 0.51;
+    different += std::abs(picture.At(i, j)[3] - expected) > 1e-3 ||
+        std::abs(picture.At(i, j)[1] - expected) > 1e-3
+      ? 1
+      : 0;
   }
   check.That(counts[1] + counts[2] > 100,
     "boundary: " + std::to_string(counts[1] + counts[2]) + " pixels with faces");

@@ -2,6 +2,7 @@
 // The far plane, transfer functions of many nodes, and meshes of tetrahedra as thin as numbers are:
 // the software path is right in all of them, and OpenGL as far as vtkTimeWeightedTetrahedraMapper.h
 // says.
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Pages/StabilityCase.h"
 #include "Support/Drawing/PictureCases.h"
 #include "Tetrahedra/MapperPicture.h"
@@ -40,19 +41,16 @@ struct Misses
 Misses Compare(const RgbaPicture& found, const RgbaPicture& expected)
 {
   Misses misses;
-  for (int j = 0; j < expected.Height; ++j)
+  for (const auto& [j, i] : AllIndices(expected.Height, expected.Width))
   {
-    for (int i = 0; i < expected.Width; ++i)
+    double error = 0.0;
+    for (int k = 0; k < 4; ++k)
     {
-      double error = 0.0;
-      for (int k = 0; k < 4; ++k)
-      {
-        const double difference = std::abs(found.At(i, j)[k] - expected.At(i, j)[k]);
-        error = difference <= error ? error : difference;
-      }
-      misses.Pixels += error > 1e-3 ? 1 : 0;
-      misses.Largest = std::max(misses.Largest, error);
+      const double difference = std::abs(found.At(i, j)[k] - expected.At(i, j)[k]);
+      error = difference <= error ? error : difference;
     }
+    misses.Pixels += error > 1e-3 ? 1 : 0;
+    misses.Largest = std::max(misses.Largest, error);
   }
   return misses;
 }
@@ -87,13 +85,10 @@ void TestFarPlane(StabilityCatalogue& catalogue)
     const double far = 0.6 * range[0] + 0.4 * range[1];
     what.Camera->SetClippingRange(range[0], far);
     const PixelRays rays(what.Camera, what.Settings.Size);
-    for (int j = 0; j < what.Settings.Size[1]; ++j)
+    for (const auto& [j, i] : AllIndices(what.Settings.Size[1], what.Settings.Size[0]))
     {
-      for (int i = 0; i < what.Settings.Size[0]; ++i)
-      {
-        what.Settings.OpaqueDistance.push_back(
-          far * static_cast<double>(rays.Get(i, j).DistancePerDepth));
-      }
+      what.Settings.OpaqueDistance.push_back(
+        far * static_cast<double>(rays.Get(i, j).DistancePerDepth));
     }
     Expect(catalogue, std::string("far plane, ") + (parallel ? "parallel" : "perspective"), what,
       { 0, 1e-3 }, { 2, 0.1 });

@@ -2,6 +2,7 @@
 // A plate of constant hypercubes, projected along time: with its extent in time it is a slab of
 // constant extinction, 1 - exp(-tau duration length) from everywhere (figure 3.19 of the source);
 // without, the overlap of the tetrahedra shows (figure 3.14).
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Pictures/HypercubePlate.h"
 #include "Support/Drawing/PictureCases.h"
 #include "Support/Checks/ReferenceCheck.h"
@@ -69,34 +70,28 @@ Opacity Measure(const PictureCase& what, const RgbaPicture& picture, double exti
   const PixelRays rays(what.Camera, what.Settings.Size);
   double squares = 0.0;
   double longest = 0.0;
-  for (int pass = 0; pass < 2; ++pass)
+  for (const auto& [pass, j, i] : AllIndices(2, picture.Height, picture.Width))
   {
-    for (int j = 0; j < picture.Height; ++j)
+    const double chord = BoxChord(what.Grid, rays.Get(i, j));
+    const double* pixel = picture.At(i, j);
+    const double expected = -std::expm1(-extinction * chord);
+    const double error = std::abs(pixel[3] - expected);
+    if (pass == 0)
     {
-      for (int i = 0; i < picture.Width; ++i)
+      longest = std::max(longest, chord);
+      opacity.Error = std::max(opacity.Error, error);
+      opacity.Outliers += error > OUTLIER ? 1 : 0;
+      for (int k = 0; k < 3; ++k)
       {
-        const double chord = BoxChord(what.Grid, rays.Get(i, j));
-        const double* pixel = picture.At(i, j);
-        const double expected = -std::expm1(-extinction * chord);
-        const double error = std::abs(pixel[3] - expected);
-        if (pass == 0)
-        {
-          longest = std::max(longest, chord);
-          opacity.Error = std::max(opacity.Error, error);
-          opacity.Outliers += error > OUTLIER ? 1 : 0;
-          for (int k = 0; k < 3; ++k)
-          {
-            opacity.Error = std::max(opacity.Error, std::abs(pixel[k] - Color[k] * expected));
-          }
-        }
-        else if (chord > (1.0 - 1e-9) * longest && error <= OUTLIER)
-        {
-          ++opacity.Pixels;
-          const double last = opacity.Mean;
-          opacity.Mean += (pixel[3] - last) / opacity.Pixels;
-          squares += (pixel[3] - last) * (pixel[3] - opacity.Mean);
-        }
+        opacity.Error = std::max(opacity.Error, std::abs(pixel[k] - Color[k] * expected));
       }
+    }
+    else if (chord > (1.0 - 1e-9) * longest && error <= OUTLIER)
+    {
+      ++opacity.Pixels;
+      const double last = opacity.Mean;
+      opacity.Mean += (pixel[3] - last) / opacity.Pixels;
+      squares += (pixel[3] - last) * (pixel[3] - opacity.Mean);
     }
   }
   opacity.Deviation = std::sqrt(squares / std::max(opacity.Pixels, 1));

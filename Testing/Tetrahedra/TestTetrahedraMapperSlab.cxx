@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A slab of constant extinction is 1 - exp(-tau d), uniform where d is; a finer mesh of the same
 // field gives the same picture.
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Drawing/PictureCases.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/MapperPicture.h"
@@ -33,25 +34,22 @@ void TestUniform(Check& check, int path, vtkUnstructuredGrid* grid, double extin
   double highest = 0.0;
   int inside = 0;
   const PixelRays rays(what.Camera, what.Settings.Size);
-  for (int j = 0; j < picture.Height; ++j)
+  for (const auto& [j, i] : AllIndices(picture.Height, picture.Width))
   {
-    for (int i = 0; i < picture.Width; ++i)
+    const double* pixel = picture.At(i, j);
+    if (BoxChord(grid, rays.Get(i, j)) > 0.5)
     {
-      const double* pixel = picture.At(i, j);
-      if (BoxChord(grid, rays.Get(i, j)) > 0.5)
+      ++inside;
+      lowest = std::min(lowest, pixel[3]);
+      highest = std::max(highest, pixel[3]);
+      for (int k = 0; k < 3; ++k)
       {
-        ++inside;
-        lowest = std::min(lowest, pixel[3]);
-        highest = std::max(highest, pixel[3]);
-        for (int k = 0; k < 3; ++k)
-        {
-          check.Near(pixel[k], expected * color[k], 1e-5, "colour of the slab", 1.0);
-        }
+        check.Near(pixel[k], expected * color[k], 1e-5, "colour of the slab", 1.0);
       }
-      else
-      {
-        check.Near(pixel[3], 0.0, 1e-5, "alpha beside the slab", 1.0);
-      }
+    }
+    else
+    {
+      check.Near(pixel[3], 0.0, 1e-5, "alpha beside the slab", 1.0);
     }
   }
   check.That(inside > 2000, "the slab is seen");
@@ -71,14 +69,11 @@ void TestChords(Check& check, int path, bool parallel)
     MakeCase(grid, MakeProperty({ { 0.0, { { 1.0, 1.0, 1.0 } }, extinction } }), Slanted, parallel);
   const RgbaPicture picture = DrawByPath(path, what);
   const PixelRays rays(what.Camera, what.Settings.Size);
-  for (int j = 0; j < picture.Height; ++j)
+  for (const auto& [j, i] : AllIndices(picture.Height, picture.Width))
   {
-    for (int i = 0; i < picture.Width; ++i)
-    {
-      const double alpha = -std::expm1(-extinction * BoxChord(grid, rays.Get(i, j)));
-      check.Near(picture.At(i, j)[3], alpha, bound, "alpha of a chord", 1.0);
-      check.Near(picture.At(i, j)[0], alpha, bound, "red of a chord", 1.0);
-    }
+    const double alpha = -std::expm1(-extinction * BoxChord(grid, rays.Get(i, j)));
+    check.Near(picture.At(i, j)[3], alpha, bound, "alpha of a chord", 1.0);
+    check.Near(picture.At(i, j)[0], alpha, bound, "red of a chord", 1.0);
   }
 }
 

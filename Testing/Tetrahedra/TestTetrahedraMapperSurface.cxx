@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Boundary triangles in the volume: opaque ones as vtkPolyDataMapper draws them, a translucent face
 // between two halves of a slab as the formula has it, textures, points matched by their place.
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Drawing/PictureCases.h"
 #include "Support/Pictures/ReferenceRay.h"
 #include "Support/Pictures/VolumeStage.h"
@@ -274,25 +275,22 @@ void TestTexture(Check& check, int path, bool parallel)
   const PixelRays rays(what.Camera, Size);
   const Point3 halves[2] = { { { 1.0, 0.4, 0.0 } }, { { 0.2, 0.8, 1.0 } } };
   int seen[2] = { 0, 0 };
-  for (int j = 0; j < Size[1]; ++j)
+  for (const auto& [j, i] : AllIndices(Size[1], Size[0]))
   {
-    for (int i = 0; i < Size[0]; ++i)
+    const Ray ray = rays.Get(i, j);
+    const Real distance = (Real(0.5) - ray.Origin[2]) / ray.Direction[2];
+    const auto u = static_cast<double>(ray.Origin[0] + distance * ray.Direction[0]);
+    const auto v = static_cast<double>(ray.Origin[1] + distance * ray.Direction[1]);
+    const bool isWithin = u > 0.02 && u < 0.98 && v > 0.02 && v < 0.98;
+    if (isWithin && std::abs(u - 0.5) > 0.02)
     {
-      const Ray ray = rays.Get(i, j);
-      const Real distance = (Real(0.5) - ray.Origin[2]) / ray.Direction[2];
-      const auto u = static_cast<double>(ray.Origin[0] + distance * ray.Direction[0]);
-      const auto v = static_cast<double>(ray.Origin[1] + distance * ray.Direction[1]);
-      const bool isWithin = u > 0.02 && u < 0.98 && v > 0.02 && v < 0.98;
-      if (isWithin && std::abs(u - 0.5) > 0.02)
+      const int half = u < 0.5 ? 0 : 1;
+      ++seen[half];
+      for (int k = 0; k < 3; ++k)
       {
-        const int half = u < 0.5 ? 0 : 1;
-        ++seen[half];
-        for (int k = 0; k < 3; ++k)
-        {
-          check.Near(found.At(i, j)[k], 0.5 * halves[half][k] * FaceColor[k], 1e-3, name, 1.0);
-        }
-        check.Near(found.At(i, j)[3], 0.5, 1e-3, name + ", alpha", 1.0);
+        check.Near(found.At(i, j)[k], 0.5 * halves[half][k] * FaceColor[k], 1e-3, name, 1.0);
       }
+      check.Near(found.At(i, j)[3], 0.5, 1e-3, name + ", alpha", 1.0);
     }
   }
   check.That(seen[0] > 500 && seen[1] > 500, name + ": both halves are seen");
@@ -328,30 +326,27 @@ void TestSlab(Check& check, int path, bool parallel, const Point3& direction, do
   const PixelRays rays(what.Camera, Size);
   int inside = 0;
   double largest = 0.0;
-  for (int j = 0; j < Size[1]; ++j)
+  for (const auto& [j, i] : AllIndices(Size[1], Size[0]))
   {
-    for (int i = 0; i < Size[0]; ++i)
+    const Ray ray = rays.Get(i, j);
+    const double chord = BoxChord(grid, ray);
+    const double height = chord * std::abs(static_cast<double>(ray.Direction[2]));
+    // Only lines of sight that pass both sides of the slab.
+    if (std::abs(height - 1.0) < 1e-9)
     {
-      const Ray ray = rays.Get(i, j);
-      const double chord = BoxChord(grid, ray);
-      const double height = chord * std::abs(static_cast<double>(ray.Direction[2]));
-      // Only lines of sight that pass both sides of the slab.
-      if (std::abs(height - 1.0) < 1e-9)
+      ++inside;
+      const double first = -std::expm1(-front * extinction * chord);
+      const double second = -std::expm1(-back * extinction * chord);
+      const double afterFront = 1.0 - first;
+      const double afterFace = afterFront * (1.0 - faceOpacity);
+      for (int k = 0; k < 4; ++k)
       {
-        ++inside;
-        const double first = -std::expm1(-front * extinction * chord);
-        const double second = -std::expm1(-back * extinction * chord);
-        const double afterFront = 1.0 - first;
-        const double afterFace = afterFront * (1.0 - faceOpacity);
-        for (int k = 0; k < 4; ++k)
-        {
-          const double volume = k < 3 ? slab[k] : 1.0;
-          const double face = k < 3 ? FaceColor[k] : 1.0;
-          const double expected =
-            first * volume + afterFront * faceOpacity * face + afterFace * second * volume;
-          const double difference = std::abs(found.At(i, j)[k] - expected);
-          largest = difference <= largest ? largest : difference;
-        }
+        const double volume = k < 3 ? slab[k] : 1.0;
+        const double face = k < 3 ? FaceColor[k] : 1.0;
+        const double expected =
+          first * volume + afterFront * faceOpacity * face + afterFace * second * volume;
+        const double difference = std::abs(found.At(i, j)[k] - expected);
+        largest = difference <= largest ? largest : difference;
       }
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One mapper in several windows and renderers, resized, released and drawn again; depth peeling and
 // multisampling; level of detail. Pictures are compared with those of fresh mappers.
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Drawing/PictureCases.h"
 #include "Support/Pictures/TestWindow.h"
 #include "Support/Checks/ReferenceCheck.h"
@@ -170,12 +171,9 @@ void TestTwoRenderers(Check& check, const Scene& scene)
   {
     const RgbaPicture both = view.Draw();
     RgbaPicture halves[2] = { RgbaPicture(40, 64), RgbaPicture(40, 64) };
-    for (int j = 0; j < 64; ++j)
+    for (const auto& [j, i] : AllIndices(64, 80))
     {
-      for (int i = 0; i < 80; ++i)
-      {
-        std::copy_n(both.At(i, j), 4, halves[i / 40].At(i % 40, j));
-      }
+      std::copy_n(both.At(i, j), 4, halves[i / 40].At(i % 40, j));
     }
     ExpectSame(check, halves[0], left, scene.Name + "two renderers, left");
     ExpectSame(check, halves[1], right, scene.Name + "two renderers, right");

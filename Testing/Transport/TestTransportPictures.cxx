@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures by the Monte Carlo solver: published intensities of a slab at seven angles, the formula
 // of single scattering, a white furnace, coloured albedo.
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceThreads.h"
 #include "Support/Transport/FunctionMedium.h"
@@ -44,20 +45,16 @@ void CheckPublished(Check& check)
     slab, 6, 2,
     [&](int i, int j) { return MakeSightLine(cosines[static_cast<std::size_t>(i)], j, 2.0); },
     settings);
-  for (int j = 0; j < 2; ++j)
+  for (const auto& [j, i] : AllIndices(2, 6))
   {
-    for (int i = 0; i < 6; ++i)
-    {
-      // A light of colour 1 has an irradiance of 4 pi, for which I is pi.
-      const double found = 0.25 * picture.Mean.At(i, j)[0];
-      const double error = 0.25 * picture.StandardError.At(i, j)[0];
-      std::ostringstream what;
-      what << (j == 0 ? "reflected" : "transmitted") << " at "
-           << cosines[static_cast<std::size_t>(i)] << ": " << found << " +- " << error
-           << ", published " << expected[j][i];
-      check.That(std::abs(found - expected[j][i]) <= 3.0 * error + 5e-6, what.str());
-      check.That(error < 0.015 * expected[j][i], what.str() + ": to 0.015 of it");
-    }
+    // A light of colour 1 has an irradiance of 4 pi, for which I is pi.
+    const double found = 0.25 * picture.Mean.At(i, j)[0];
+    const double error = 0.25 * picture.StandardError.At(i, j)[0];
+    std::ostringstream what;
+    what << (j == 0 ? "reflected" : "transmitted") << " at " << cosines[static_cast<std::size_t>(i)]
+         << ": " << found << " +- " << error << ", published " << expected[j][i];
+    check.That(std::abs(found - expected[j][i]) <= 3.0 * error + 5e-6, what.str());
+    check.That(error < 0.015 * expected[j][i], what.str() + ": to 0.015 of it");
   }
 }
 

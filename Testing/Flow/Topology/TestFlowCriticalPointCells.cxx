@@ -2,6 +2,7 @@
 // Zeros of random cells against Newton's method from many places; two in a cell; the sum of indices
 // in random fields; cells of very different lengths.
 #include "Support/AnalyticFlows/ReferenceFlowMaps.h"
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 #include "Support/Flow/ReferenceCriticalPoints.h"
@@ -81,12 +82,9 @@ std::vector<FlowVector> SearchZeros(vtkCell* cell, vtkDataArray* vectors, bool& 
     double weights[8];
     cell->InterpolateFunctions(p, weights);
     std::fill_n(value, 3, 0.0);
-    for (int i = 0; i < number; ++i)
+    for (const auto& [i, j] : AllIndices(number, 3))
     {
-      for (int j = 0; j < 3; ++j)
-      {
-        value[j] += weights[i] * vectors->GetComponent(cell->GetPointId(i), j);
-      }
+      value[j] += weights[i] * vectors->GetComponent(cell->GetPointId(i), j);
     }
   };
   constexpr int starts = 6 * 6 * 6;

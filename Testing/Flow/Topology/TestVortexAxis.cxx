@@ -3,7 +3,7 @@
 // vortices, the seed, the frame of reference, breaks; no vortex; planes; threads, progress, abort,
 // errors.
 #include "Support/AnalyticFlows/ReferenceFlowMaps.h"
-#include "Support/AnalyticFlows/ReferenceVector.h"
+#include "Support/Arrays/ReferenceVector.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceExecution.h"
 #include "Support/Checks/ReferenceMessages.h"

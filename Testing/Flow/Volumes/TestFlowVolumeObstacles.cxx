@@ -3,6 +3,7 @@
 // numbers: the volume that uniform flow reaches past the obstacle, against lines through the hidden
 // cells, on images and other grids, with one obstacle, two, and one at the end of the field.
 #include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceThreads.h"
@@ -78,19 +79,13 @@ public:
     : Cells(one.Points - 1)
     , IsHidden(static_cast<std::size_t>(this->Cells * this->Cells * this->Cells))
   {
-    for (int i = 0; i < one.Points; ++i)
+    for (const auto& [i, j, k] : AllIndices(one.Points, one.Points, one.Points))
     {
-      for (int j = 0; j < one.Points; ++j)
+      const Vector x{ { -1.0 + 2.0 * i / this->Cells, -1.0 + 2.0 * j / this->Cells,
+        -1.0 + 2.0 * k / this->Cells } };
+      for (int corner = 0; IsInBall(one, x) && corner < 8; ++corner)
       {
-        for (int k = 0; k < one.Points; ++k)
-        {
-          const Vector x{ { -1.0 + 2.0 * i / this->Cells, -1.0 + 2.0 * j / this->Cells,
-            -1.0 + 2.0 * k / this->Cells } };
-          for (int corner = 0; IsInBall(one, x) && corner < 8; ++corner)
-          {
-            this->Hide(i - (corner & 1), j - (corner >> 1 & 1), k - (corner >> 2 & 1));
-          }
-        }
+        this->Hide(i - (corner & 1), j - (corner >> 1 & 1), k - (corner >> 2 & 1));
       }
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scalar on termination surfaces at every sample: formulas, rings and images against their
 // definitions, NaN where there is none, what is periodic, wrong settings, and threads.
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceExecution.h"
@@ -156,19 +157,15 @@ double Bilinear(vtkImageData* image, int nu, int nv, double u, double v)
   const double y = std::max(0.0, std::min(v, 1.0)) * (nv - 1);
   vtkDataArray* values = image->GetPointData()->GetScalars();
   double sum = 0.0;
-  for (int j = 0; j < nv; ++j)
+  for (const auto& [j, i] : AllIndices(nv, nu))
   {
-    for (int i = 0; i < nu; ++i)
-    {
-      const double weight =
-        std::max(0.0, 1.0 - std::abs(x - i)) * std::max(0.0, 1.0 - std::abs(y - j));
-      const vtkIdType p = static_cast<vtkIdType>(j) * nu + i;
-      const double value = values->GetNumberOfComponents() == 1
-        ? values->GetComponent(p, 0)
-        : 0.30 * values->GetComponent(p, 0) + 0.59 * values->GetComponent(p, 1) +
-          0.11 * values->GetComponent(p, 2);
-      sum += weight * value;
-    }
+    const double weight =
+      std::max(0.0, 1.0 - std::abs(x - i)) * std::max(0.0, 1.0 - std::abs(y - j));
+    const vtkIdType p = static_cast<vtkIdType>(j) * nu + i;
+    const double value = values->GetNumberOfComponents() == 1 ? values->GetComponent(p, 0)
+                                                              : 0.30 * values->GetComponent(p, 0) +
+        0.59 * values->GetComponent(p, 1) + 0.11 * values->GetComponent(p, 2);
+    sum += weight * value;
   }
   return sum;
 }

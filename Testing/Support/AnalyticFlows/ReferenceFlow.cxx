@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/AnalyticFlows/ReferenceFlow.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
+
 #include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
@@ -59,14 +61,11 @@ Flow Flow::RoundSphere()
   {
     const double r2 = x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
     const double r5 = r2 * r2 * std::sqrt(r2);
-    for (int i = 0; i < 3; ++i)
+    for (const auto& [i, j] : AllIndices(3, 3))
     {
-      for (int j = 0; j < 3; ++j)
-      {
-        gradient[3 * i + j] = -1.5 / r5 *
-          ((i == 0 ? x[j] : 0.0) + (i == j ? x[0] : 0.0) + (j == 0 ? x[i] : 0.0) -
-            5.0 * x[i] * x[j] * x[0] / r2);
-      }
+      gradient[3 * i + j] = -1.5 / r5 *
+        ((i == 0 ? x[j] : 0.0) + (i == j ? x[0] : 0.0) + (j == 0 ? x[i] : 0.0) -
+          5.0 * x[i] * x[j] * x[0] / r2);
     }
   };
   return flow;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
 
-#include "Support/AnalyticFlows/ReferenceVector.h"
+#include "Support/Arrays/ReferenceVector.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"

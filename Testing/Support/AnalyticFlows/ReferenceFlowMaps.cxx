@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/AnalyticFlows/ReferenceFlowMaps.h"
 
-#include "Support/AnalyticFlows/ReferenceVector.h"
+#include "Support/Arrays/ReferenceIndices.h"
+#include "Support/Arrays/ReferenceVector.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataSet.h"
@@ -27,15 +28,9 @@ FlowVector UnitVector(const FlowVector& a)
 FlowMatrix Product(const FlowMatrix& a, const FlowMatrix& b)
 {
   FlowMatrix product{};
-  for (int i = 0; i < 3; ++i)
+  for (const auto& [i, j, k] : AllIndices(3, 3, 3))
   {
-    for (int j = 0; j < 3; ++j)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        product[3 * i + j] += a[3 * i + k] * b[3 * k + j];
-      }
-    }
+    product[3 * i + j] += a[3 * i + k] * b[3 * k + j];
   }
   return product;
 }

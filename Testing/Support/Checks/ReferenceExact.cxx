@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Checks/ReferenceExact.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
+
 #include <cmath>
 
 namespace reference
@@ -91,12 +93,9 @@ long double Exact::Round() const
 Exact ExactDeterminant(const std::array<ExactPoint, 4>& points)
 {
   std::array<ExactPoint, 3> d;
-  for (int i = 0; i < 3; ++i)
+  for (const auto& [i, a] : AllIndices(3, 3))
   {
-    for (int a = 0; a < 3; ++a)
-    {
-      d[i][a] = points[i + 1][a] - points[0][a];
-    }
+    d[i][a] = points[i + 1][a] - points[0][a];
   }
   const auto minor = [&](int a, int b) { return d[0][a] * d[1][b] - d[0][b] * d[1][a]; };
   return minor(1, 2) * d[2][0] + minor(2, 0) * d[2][1] + minor(0, 1) * d[2][2];

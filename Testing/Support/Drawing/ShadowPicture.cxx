@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Drawing/ShadowPicture.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Pictures/VolumeStage.h"
 
 #include "vtkActor.h"
@@ -73,15 +74,9 @@ RgbaPicture ReadWindow(vtkRenderWindow* window)
   RgbaPicture picture(size[0], size[1]);
   vtkNew<vtkUnsignedCharArray> pixels;
   window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
-  for (int j = 0; j < size[1]; ++j)
+  for (const auto& [j, i, k] : AllIndices(size[1], size[0], 4))
   {
-    for (int i = 0; i < size[0]; ++i)
-    {
-      for (int k = 0; k < 4; ++k)
-      {
-        picture.At(i, j)[k] = k == 3 ? 1.0 : pixels->GetComponent(j * size[0] + i, k) / 255.0;
-      }
-    }
+    picture.At(i, j)[k] = k == 3 ? 1.0 : pixels->GetComponent(j * size[0] + i, k) / 255.0;
   }
   return picture;
 }

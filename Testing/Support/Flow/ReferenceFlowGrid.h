@@ -2,9 +2,9 @@
 #ifndef ReferenceFlowGrid_h
 #define ReferenceFlowGrid_h
 
-#include "Support/AnalyticFlows/ReferenceVector.h" // for arithmetic
-#include "Support/Checks/ReferenceRandom.h"        // for the samples
-#include "Support/Meshes/ReferenceMesh.h"          // for the kinds
+#include "Support/Arrays/ReferenceVector.h" // for arithmetic
+#include "Support/Checks/ReferenceRandom.h" // for the samples
+#include "Support/Meshes/ReferenceMesh.h"   // for the kinds
 
 #include "vtkSmartPointer.h" // for the grids
 #include "vtkType.h"         // for ids

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Flow/ReferenceTermination.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceRandom.h"
 
 #include "vtkTerminationSurface.h"
@@ -75,35 +76,32 @@ void CheckRoundTrip(const vtkTerminationSurface* surface, const SurfaceScale& sc
   const bool isBounded = bounds[0] <= bounds[1];
   Random random(3);
   int found = 0;
-  for (int part = 0; part < surface->GetNumberOfParts(); ++part)
+  for (const auto& [part, i] : AllIndices(surface->GetNumberOfParts(), 300))
   {
-    for (int i = 0; i < 300; ++i)
+    const double uv[2] = { random.Get(0.001, 0.999), random.Get(0.001, 0.999) };
+    Vector x;
+    if (!surface->EvaluatePoint(part, uv, x.data()))
     {
-      const double uv[2] = { random.Get(0.001, 0.999), random.Get(0.001, 0.999) };
-      Vector x;
-      if (!surface->EvaluatePoint(part, uv, x.data()))
-      {
-        continue;
-      }
-      ++found;
-      const double reach = scale.Rounding * scale.Size;
-      check.Near(DistanceOf(surface, x), 0.0, reach, name + ": distance of a point", 1.0);
-      check.That(surface->IsOn(x.data()), name + ": a point is on the surface");
-      check.Equal(surface->EvaluatePart(x.data()), part, name + ": part");
-      double again[2];
-      surface->EvaluateParameters(x.data(), again);
-      for (int j = 0; j < 2; ++j)
-      {
-        check.Near(Difference(surface, j, part, again[j], uv[j]), 0.0, 1000.0 * scale.Rounding,
-          name + ": parameter " + std::to_string(j) + " of part " + std::to_string(part), 1.0);
-        check.That(!surface->IsPeriodic(j, part) || (again[j] >= 0.0 && again[j] < 1.0),
-          name + ": a periodic parameter is from 0 to below 1");
-      }
-      for (int axis = 0; axis < 3 && isBounded; ++axis)
-      {
-        check.That(x[axis] >= bounds[2 * axis] - reach && x[axis] <= bounds[2 * axis + 1] + reach,
-          name + ": a point is in the bounds");
-      }
+      continue;
+    }
+    ++found;
+    const double reach = scale.Rounding * scale.Size;
+    check.Near(DistanceOf(surface, x), 0.0, reach, name + ": distance of a point", 1.0);
+    check.That(surface->IsOn(x.data()), name + ": a point is on the surface");
+    check.Equal(surface->EvaluatePart(x.data()), part, name + ": part");
+    double again[2];
+    surface->EvaluateParameters(x.data(), again);
+    for (int j = 0; j < 2; ++j)
+    {
+      check.Near(Difference(surface, j, part, again[j], uv[j]), 0.0, 1000.0 * scale.Rounding,
+        name + ": parameter " + std::to_string(j) + " of part " + std::to_string(part), 1.0);
+      check.That(!surface->IsPeriodic(j, part) || (again[j] >= 0.0 && again[j] < 1.0),
+        name + ": a periodic parameter is from 0 to below 1");
+    }
+    for (int axis = 0; axis < 3 && isBounded; ++axis)
+    {
+      check.That(x[axis] >= bounds[2 * axis] - reach && x[axis] <= bounds[2 * axis + 1] + reach,
+        name + ": a point is in the bounds");
     }
   }
   check.That(found >= number, name + ": " + std::to_string(found) + " points are there");
@@ -158,19 +156,17 @@ void CheckSamples(const vtkTerminationSurface* surface, const SurfaceScale& scal
   double spacing, const std::string& name, Check& check)
 {
   std::vector<Vector> points;
-  for (int part = 0; part < surface->GetNumberOfParts(); ++part)
+  for (const auto& [part, i] :
+    AllIndices(surface->GetNumberOfParts(), (samples + 1) * (samples + 1)))
   {
-    for (int i = 0; i < (samples + 1) * (samples + 1); ++i)
+    const int row = i / (samples + 1);
+    const int column = i % (samples + 1);
+    const double uv[2] = { static_cast<double>(column) / samples,
+      static_cast<double>(row) / samples };
+    Vector x;
+    if (surface->EvaluatePoint(part, uv, x.data()))
     {
-      const int row = i / (samples + 1);
-      const int column = i % (samples + 1);
-      const double uv[2] = { static_cast<double>(column) / samples,
-        static_cast<double>(row) / samples };
-      Vector x;
-      if (surface->EvaluatePoint(part, uv, x.data()))
-      {
-        points.push_back(x);
-      }
+      points.push_back(x);
     }
   }
   check.That(points.size() > static_cast<std::size_t>(samples), name + ": there are samples");

@@ -2,8 +2,8 @@
 #ifndef ReferenceTermination_h
 #define ReferenceTermination_h
 
-#include "Support/AnalyticFlows/ReferenceVector.h" // for arithmetic
-#include "Support/Checks/ReferenceCheck.h"         // for the result
+#include "Support/Arrays/ReferenceVector.h" // for arithmetic
+#include "Support/Checks/ReferenceCheck.h"  // for the result
 
 #include <array>
 #include <functional>

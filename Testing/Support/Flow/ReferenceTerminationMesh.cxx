@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Flow/ReferenceTerminationMesh.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceRandom.h"
 
 #include "vtkCellArray.h"
@@ -65,21 +66,18 @@ TexturedMesh MakeGridMesh(
       mesh.Texture.push_back({ { u, v } });
     }
   }
-  for (int j = 0; j < rows; ++j)
+  for (const auto& [j, i] : AllIndices(rows, columns))
   {
-    for (int i = 0; i < columns; ++i)
+    const int first = i + j * (columns + 1);
+    const int above = first + columns + 1;
+    for (const auto& triangle : { std::array<int, 3>{ { first, first + 1, above + 1 } },
+           std::array<int, 3>{ { first, above + 1, above } } })
     {
-      const int first = i + j * (columns + 1);
-      const int above = first + columns + 1;
-      for (const auto& triangle : { std::array<int, 3>{ { first, first + 1, above + 1 } },
-             std::array<int, 3>{ { first, above + 1, above } } })
+      const Vector& a = mesh.Points[triangle[0]];
+      const Vector normal = Cross(mesh.Points[triangle[1]] - a, mesh.Points[triangle[2]] - a);
+      if (GetNorm(normal) > 1e-12)
       {
-        const Vector& a = mesh.Points[triangle[0]];
-        const Vector normal = Cross(mesh.Points[triangle[1]] - a, mesh.Points[triangle[2]] - a);
-        if (GetNorm(normal) > 1e-12)
-        {
-          mesh.Triangles.push_back(triangle);
-        }
+        mesh.Triangles.push_back(triangle);
       }
     }
   }
@@ -114,24 +112,21 @@ TexturedMesh MakeStar()
     points[i] = { { i & 1 ? 0.25 : -0.25, i & 2 ? 0.25 : -0.25, i & 4 ? 0.25 : -0.25 } };
   }
   std::vector<std::array<int, 3>> triangles;
-  for (int axis = 0; axis < 3; ++axis)
+  for (const auto& [axis, side] : AllIndices(3, 2))
   {
-    for (int side = 0; side < 2; ++side)
+    const int tip = static_cast<int>(points.size());
+    Vector position = { { 0.05, -0.03, 0.02 } };
+    position[axis] = side ? 0.9 : -0.9;
+    points.push_back(position);
+    const int u = 1 << (axis + 1) % 3;
+    const int v = 1 << (axis + 2) % 3;
+    const int base = side << axis;
+    const int corners[4] = { base, base + u, base + u + v, base + v };
+    for (int i = 0; i < 4; ++i)
     {
-      const int tip = static_cast<int>(points.size());
-      Vector position = { { 0.05, -0.03, 0.02 } };
-      position[axis] = side ? 0.9 : -0.9;
-      points.push_back(position);
-      const int u = 1 << (axis + 1) % 3;
-      const int v = 1 << (axis + 2) % 3;
-      const int base = side << axis;
-      const int corners[4] = { base, base + u, base + u + v, base + v };
-      for (int i = 0; i < 4; ++i)
-      {
-        const int a = corners[side ? i : (i + 1) % 4];
-        const int b = corners[side ? (i + 1) % 4 : i];
-        triangles.push_back({ { a, b, tip } });
-      }
+      const int a = corners[side ? i : (i + 1) % 4];
+      const int b = corners[side ? (i + 1) % 4 : i];
+      triangles.push_back({ { a, b, tip } });
     }
   }
   return MakeSolid(points, triangles);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Meshes/ReferenceBoundary.h"
 
-#include "Support/AnalyticFlows/ReferenceVector.h"
+#include "Support/Arrays/ReferenceVector.h"
 
 #include "vtkCell.h"
 #include "vtkDataSet.h"

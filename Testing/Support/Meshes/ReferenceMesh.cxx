@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Meshes/ReferenceMesh.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Meshes/ReferenceMeshBuilder.h"
 #include "Support/Meshes/ReferenceTiling.h"
 
@@ -57,15 +58,9 @@ public:
 
   vtkSmartPointer<vtkUnstructuredGrid> Fill()
   {
-    for (int k = 0; k < this->Cells[2]; ++k)
+    for (const auto& [k, j, i] : AllIndices(this->Cells[2], this->Cells[1], this->Cells[0]))
     {
-      for (int j = 0; j < this->Cells[1]; ++j)
-      {
-        for (int i = 0; i < this->Cells[0]; ++i)
-        {
-          this->FillBox(i, j, k);
-        }
-      }
+      this->FillBox(i, j, k);
     }
     return this->Builder.GetMesh();
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Meshes/ReferenceMeshing.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Meshes/ReferenceField.h"
 #include "Support/Meshes/ReferenceMeshBuilder.h"
 #include "Support/Meshes/ReferenceVolume.h"
@@ -243,20 +244,14 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeConcaveMesh(
   MeshBuilder builder;
   vtkNew<vtkIntArray> kinds;
   kinds->SetName("kind");
-  for (int k = 0; k < blocks[2]; ++k)
+  for (const auto& [k, j, i] : AllIndices(blocks[2], blocks[1], blocks[0]))
   {
-    for (int j = 0; j < blocks[1]; ++j)
+    ConcaveBlock block(builder, { { 2 * i, 2 * j, k } }, i + j);
+    block.AddPolyhedron();
+    kinds->InsertNextValue(0);
+    for (int added = block.AddOther(); added > 0; --added)
     {
-      for (int i = 0; i < blocks[0]; ++i)
-      {
-        ConcaveBlock block(builder, { { 2 * i, 2 * j, k } }, i + j);
-        block.AddPolyhedron();
-        kinds->InsertNextValue(0);
-        for (int added = block.AddOther(); added > 0; --added)
-        {
-          kinds->InsertNextValue(1);
-        }
-      }
+      kinds->InsertNextValue(1);
     }
   }
   auto mesh = builder.GetMesh();
@@ -323,13 +318,10 @@ vtkSmartPointer<vtkPolyData> MakeGeodesic(int levels)
     return surface->GetPoints()->InsertNextPoint(x / length, y / length, z / length);
   };
   const double golden = (1 + std::sqrt(5.0)) / 2;
-  for (int axis = 0; axis < 3; ++axis)
+  for (const auto& [axis, i] : AllIndices(3, 4))
   {
-    for (int i = 0; i < 4; ++i)
-    {
-      const double x[3] = { 0.0, i & 1 ? 1.0 : -1.0, i & 2 ? golden : -golden };
-      addPoint(x[(3 - axis) % 3], x[(4 - axis) % 3], x[(5 - axis) % 3]);
-    }
+    const double x[3] = { 0.0, i & 1 ? 1.0 : -1.0, i & 2 ? golden : -golden };
+    addPoint(x[(3 - axis) % 3], x[(4 - axis) % 3], x[(5 - axis) % 3]);
   }
   using Triangle = std::array<vtkIdType, 3>;
   std::vector<Triangle> triangles;
@@ -388,28 +380,22 @@ vtkSmartPointer<vtkPolyData> MakeTorus(int around, int across)
 {
   auto surface = MakeBoxes();
   const double pi = std::acos(-1.0);
-  for (int i = 0; i < around; ++i)
+  for (const auto& [i, j] : AllIndices(around, across))
   {
-    for (int j = 0; j < across; ++j)
-    {
-      const double u = 2 * pi * i / around;
-      const double v = 2 * pi * j / across;
-      const double radius = 1 + 0.4 * std::cos(v);
-      surface->GetPoints()->InsertNextPoint(
-        radius * std::cos(u), radius * std::sin(u), 0.4 * std::sin(v));
-    }
+    const double u = 2 * pi * i / around;
+    const double v = 2 * pi * j / across;
+    const double radius = 1 + 0.4 * std::cos(v);
+    surface->GetPoints()->InsertNextPoint(
+      radius * std::cos(u), radius * std::sin(u), 0.4 * std::sin(v));
   }
-  for (vtkIdType i = 0; i < around; ++i)
+  for (const auto& [i, j] : AllIndices(around, across))
   {
-    for (vtkIdType j = 0; j < across; ++j)
-    {
-      const vtkIdType a = i * across + j;
-      const vtkIdType b = (i + 1) % around * across + j;
-      const vtkIdType c = (i + 1) % around * across + (j + 1) % across;
-      const vtkIdType d = i * across + (j + 1) % across;
-      surface->GetPolys()->InsertNextCell({ a, b, c });
-      surface->GetPolys()->InsertNextCell({ a, c, d });
-    }
+    const vtkIdType a = i * across + j;
+    const vtkIdType b = (i + 1) % around * across + j;
+    const vtkIdType c = (i + 1) % around * across + (j + 1) % across;
+    const vtkIdType d = i * across + (j + 1) % across;
+    surface->GetPolys()->InsertNextCell({ a, b, c });
+    surface->GetPolys()->InsertNextCell({ a, c, d });
   }
   return surface;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Meshes/ReferenceTiling.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Meshes/ReferenceMeshBuilder.h"
 
 #include <algorithm>
@@ -141,17 +142,10 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeHoneycomb(const std::array<int, 3>& cel
 {
   MeshBuilder builder;
   const std::vector<Face> faces = HexagonalPrism();
-  for (int k = 0; k < cells[2]; ++k)
+  for (const auto& [k, j, i] : AllIndices(cells[2], cells[1], cells[0]))
   {
-    for (int j = 0; j < cells[1]; ++j)
-    {
-      for (int i = 0; i < cells[0]; ++i)
-      {
-        // Every other column is lowered by half a hexagon.
-        AddTranslated(
-          builder, faces, { 3 * i, 2 * j + i % 2, k }, { 0.5, 0.5 * std::sqrt(3.0), 1 });
-      }
-    }
+    // Every other column is lowered by half a hexagon.
+    AddTranslated(builder, faces, { 3 * i, 2 * j + i % 2, k }, { 0.5, 0.5 * std::sqrt(3.0), 1 });
   }
   return builder.GetMesh();
 }
@@ -160,17 +154,10 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeKelvinTiling(const std::array<int, 3>& 
 {
   MeshBuilder builder;
   const std::vector<Face> faces = TruncatedOctahedron();
-  for (int k = 0; k < 2 * cells[2]; ++k)
+  for (const auto& [k, j, i] : AllIndices(2 * cells[2], cells[1], cells[0]))
   {
-    for (int j = 0; j < cells[1]; ++j)
-    {
-      for (int i = 0; i < cells[0]; ++i)
-      {
-        const int shift = k % 2 == 0 ? 0 : 2;
-        AddTranslated(
-          builder, faces, { 4 * i + shift, 4 * j + shift, 2 * k }, { 0.25, 0.25, 0.25 });
-      }
-    }
+    const int shift = k % 2 == 0 ? 0 : 2;
+    AddTranslated(builder, faces, { 4 * i + shift, 4 * j + shift, 2 * k }, { 0.25, 0.25, 0.25 });
   }
   return builder.GetMesh();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Pictures/FlowPictures.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Pictures/ReferenceRay.h"
 
 #include "vtkCamera.h"
@@ -73,15 +74,12 @@ vtkSmartPointer<vtkImageData> MakePaint(
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(columns, rows, 1);
   image->AllocateScalars(VTK_FLOAT, 4);
-  for (int j = 0; j < rows; ++j)
+  for (const auto& [j, i] : AllIndices(rows, columns))
   {
-    for (int i = 0; i < columns; ++i)
+    const Color4 color = paint(i / (columns - 1.0), j / (rows - 1.0));
+    for (int c = 0; c < 4; ++c)
     {
-      const Color4 color = paint(i / (columns - 1.0), j / (rows - 1.0));
-      for (int c = 0; c < 4; ++c)
-      {
-        image->SetScalarComponentFromDouble(i, j, 0, c, color[c]);
-      }
+      image->SetScalarComponentFromDouble(i, j, 0, c, color[c]);
     }
   }
   return image;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Pictures/LightPoints.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
+
 #include "vtkMath.h"
 
 #include <cmath>
@@ -28,13 +30,10 @@ std::vector<LightPoint> MakeSquarePoints(
 {
   const double n = count;
   std::vector<LightPoint> points;
-  for (int j = 0; j < count; ++j)
+  for (const auto& [j, i] : AllIndices(count, count))
   {
-    for (int i = 0; i < count; ++i)
-    {
-      points.push_back(
-        At(center, side, up, (i + (j + 0.5) / n) / n - 0.5, (j + (i + 0.5) / n) / n - 0.5));
-    }
+    points.push_back(
+      At(center, side, up, (i + (j + 0.5) / n) / n - 0.5, (j + (i + 0.5) / n) / n - 0.5));
   }
   return points;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Pictures/ReferenceRay.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
+
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
 
@@ -25,12 +27,9 @@ PixelRays::PixelRays(vtkCamera* camera, const std::array<int, 2>& size)
       this->Axes[row][column] = view->GetElement(row, column);
     }
   }
-  for (int row = 0; row < 4; ++row)
+  for (const auto& [row, column] : AllIndices(4, 4))
   {
-    for (int column = 0; column < 4; ++column)
-    {
-      this->Matrix[row][column] = projection->GetElement(row, column);
-    }
+    this->Matrix[row][column] = projection->GetElement(row, column);
   }
 }
 
@@ -55,13 +54,10 @@ Ray PixelRays::Get(int i, int j) const
   const Vector begin = this->EyePoint(x, y, 0);
   const Vector end = this->EyePoint(x, y, 1);
   Ray ray = { this->Position, { 0, 0, 0 }, 0 };
-  for (int axis = 0; axis < 3; ++axis)
+  for (const auto& [axis, k] : AllIndices(3, 3))
   {
-    for (int k = 0; k < 3; ++k)
-    {
-      ray.Origin[k] += begin[axis] * this->Axes[axis][k];
-      ray.Direction[k] += (end[axis] - begin[axis]) * this->Axes[axis][k];
-    }
+    ray.Origin[k] += begin[axis] * this->Axes[axis][k];
+    ray.Direction[k] += (end[axis] - begin[axis]) * this->Axes[axis][k];
   }
   ray.DistancePerDepth = std::sqrt(Dot(ray.Direction, ray.Direction));
   for (Real& component : ray.Direction)

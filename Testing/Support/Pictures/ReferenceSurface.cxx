@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Pictures/ReferenceSurface.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
+
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
@@ -53,12 +55,9 @@ glm::dvec3 GetPoint(vtkPolyData* mesh, vtkIdType point, vtkMatrix4x4* matrix)
 glm::dmat3 GetNormalMatrix(vtkMatrix4x4* matrix)
 {
   glm::dmat3 linear;
-  for (int row = 0; row < 3; ++row)
+  for (const auto& [row, column] : AllIndices(3, 3))
   {
-    for (int column = 0; column < 3; ++column)
-    {
-      linear[column][row] = matrix->GetElement(row, column);
-    }
+    linear[column][row] = matrix->GetElement(row, column);
   }
   return glm::transpose(glm::inverse(linear));
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Pictures/RgbaPicture.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,27 +29,24 @@ PictureError ComparePictures(const RgbaPicture& found, const RgbaPicture& expect
     return error;
   }
   std::size_t above = 0;
-  for (int j = 0; j < found.Height; ++j)
+  for (const auto& [j, i] : AllIndices(found.Height, found.Width))
   {
-    for (int i = 0; i < found.Width; ++i)
+    double largest = 0.0;
+    for (int channel = 0; channel < 4; ++channel)
     {
-      double largest = 0.0;
-      for (int channel = 0; channel < 4; ++channel)
+      const double difference = std::abs(found.At(i, j)[channel] - expected.At(i, j)[channel]);
+      const double distance = std::isfinite(difference) ? difference : infinity;
+      largest = std::max(largest, distance);
+      error.Mean += distance;
+      if (distance > error.Max)
       {
-        const double difference = std::abs(found.At(i, j)[channel] - expected.At(i, j)[channel]);
-        const double distance = std::isfinite(difference) ? difference : infinity;
-        largest = std::max(largest, distance);
-        error.Mean += distance;
-        if (distance > error.Max)
-        {
-          error.Max = distance;
-          error.I = i;
-          error.J = j;
-          error.Channel = channel;
-        }
+        error.Max = distance;
+        error.I = i;
+        error.J = j;
+        error.Channel = channel;
       }
-      above += largest > step ? 1 : 0;
     }
+    above += largest > step ? 1 : 0;
   }
   error.Mean /= static_cast<double>(found.Values.size());
   error.ShareAbove = 4.0 * static_cast<double>(above) / static_cast<double>(found.Values.size());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Pictures/SurfaceCases.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Pictures/PictureSettings.h"
 #include "Support/Pictures/ReferenceRay.h"
 
@@ -171,19 +172,16 @@ SurfaceErrors MeasureSurface(const RgbaPicture& found, const PixelFunction& expe
   double squares = 0.0;
   double level = 0.0;
   double excess = 0.0;
-  for (int j = 0; j < found.Height; ++j)
+  for (const auto& [j, i] : AllIndices(found.Height, found.Width))
   {
-    for (int i = 0; i < found.Width; ++i)
+    const double value = expected(i, j);
+    if (std::isfinite(value))
     {
-      const double value = expected(i, j);
-      if (std::isfinite(value))
-      {
-        const double difference = found.At(i, j)[0] - value;
-        all.push_back(std::abs(difference));
-        squares += difference * difference;
-        excess += difference;
-        level += value;
-      }
+      const double difference = found.At(i, j)[0] - value;
+      all.push_back(std::abs(difference));
+      squares += difference * difference;
+      excess += difference;
+      level += value;
     }
   }
   SurfaceErrors errors;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Tetrahedra/ReferenceTetrahedra.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
+
 #include "vtkCellArray.h"
 #include "vtkDelaunay3D.h"
 #include "vtkIdList.h"
@@ -23,12 +25,9 @@ using Point = std::array<double, 3>;
 double GetVolume(const interlume::TetrahedraMesh& mesh, const std::uint32_t* corners)
 {
   double e[3][3];
-  for (int i = 0; i < 3; ++i)
+  for (const auto& [i, axis] : AllIndices(3, 3))
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      e[i][axis] = mesh.GetPoint(corners[i + 1])[axis] - mesh.GetPoint(corners[0])[axis];
-    }
+    e[i][axis] = mesh.GetPoint(corners[i + 1])[axis] - mesh.GetPoint(corners[0])[axis];
   }
   return (e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) +
            e[0][1] * (e[1][2] * e[2][0] - e[1][0] * e[2][2]) +
@@ -87,32 +86,26 @@ interlume::TetrahedraMesh MakeCubes(const CubeMesh& form)
       }
     }
   }
-  for (int k = 0; k < n; ++k)
+  for (const auto& [k, j, i] : AllIndices(n, n, n))
   {
-    for (int j = 0; j < n; ++j)
+    if (form.IsIn &&
+      !form.IsIn({ { (i + 0.5) / n - 0.5, (j + 0.5) / n - 0.5, (k + 0.5) / n - 0.5 } }))
     {
-      for (int i = 0; i < n; ++i)
-      {
-        if (form.IsIn &&
-          !form.IsIn({ { (i + 0.5) / n - 0.5, (j + 0.5) / n - 0.5, (k + 0.5) / n - 0.5 } }))
-        {
-          continue;
-        }
-        std::uint32_t cube[8];
-        for (int corner = 0; corner < 8; ++corner)
-        {
-          cube[corner] = (i + (corner & 1)) +
-            (n + 1) * ((j + (corner >> 1 & 1)) + (n + 1) * (k + (corner >> 2)));
-        }
-        if (form.Pieces == 5)
-        {
-          AppendFive(mesh, cube, (i + j + k) & 1);
-        }
-        else
-        {
-          AppendSix(mesh, cube);
-        }
-      }
+      continue;
+    }
+    std::uint32_t cube[8];
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      cube[corner] =
+        (i + (corner & 1)) + (n + 1) * ((j + (corner >> 1 & 1)) + (n + 1) * (k + (corner >> 2)));
+    }
+    if (form.Pieces == 5)
+    {
+      AppendFive(mesh, cube, (i + j + k) & 1);
+    }
+    else
+    {
+      AppendSix(mesh, cube);
     }
   }
   return mesh;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/TimeVarying/ReferenceSpaceTime.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Meshes/ReferenceSplit.h"
 #include "Support/Meshes/ReferenceVolume.h"
 
@@ -129,12 +130,9 @@ Real Duration(Real a, Real b, Real lower, Real upper, Real time)
 long double SimplexHypervolume(const std::array<SpaceTimePoint, 5>& points)
 {
   std::array<std::array<Real, 4>, 4> rows;
-  for (int i = 0; i < 4; ++i)
+  for (const auto& [i, a] : AllIndices(4, 4))
   {
-    for (int a = 0; a < 4; ++a)
-    {
-      rows[i][a] = points[i + 1][a] - points[0][a];
-    }
+    rows[i][a] = points[i + 1][a] - points[0][a];
   }
   Real determinant = 0;
   constexpr std::array<int, 3> others[4] = { { 1, 2, 3 }, { 0, 2, 3 }, { 0, 1, 3 }, { 0, 1, 2 } };
