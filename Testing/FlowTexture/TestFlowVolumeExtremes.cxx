@@ -2,6 +2,7 @@
 // Extremes and bad input of vtkImplicitFlowVolumeMapper, each by its name.
 #include "FlowDrawing.h"
 
+#include "Support/Checks/ReferenceMessages.h"
 #include "Support/Pages/StabilityCase.h"
 #include "Support/Pictures/PictureSettings.h"
 
@@ -55,15 +56,17 @@ public:
   void Wrong(const std::string& name, const std::string& extreme, const std::string& words,
     const Change& change)
   {
-    vtkNew<vtkTest::ErrorObserver> observer;
     vtkNew<vtkImplicitFlowVolumeMapper> mapper;
-    mapper->AddObserver(vtkCommand::ErrorEvent, observer);
     mapper->SetInflowTexture(0, MakePaint(17, 17, &Blob));
     vtkSmartPointer<vtkImageData> voxels = MakeFlowVoxels(9, &Uniform);
     vtkNew<vtkVolumeProperty> property;
-    change(mapper, voxels, property);
-    const RgbaPicture found = DrawFlow(mapper, voxels, MakeScene(), property);
-    const std::string message = observer->GetErrorMessage();
+    RgbaPicture found;
+    const std::string message = ErrorsOf(mapper,
+      [&]()
+      {
+        change(mapper, voxels, property);
+        found = DrawFlow(mapper, voxels, MakeScene(), property);
+      });
     this->Catalogue.Check(name, extreme, "an error that names it: " + words, message,
       message.find(words) != std::string::npos && LargestAlpha(found) == 0.0);
   }
@@ -277,9 +280,7 @@ void TestWrong(FlowTable& table)
     [](Mapper* mapper, vtkImageData*, vtkVolumeProperty*)
     { mapper->SetBlendModeToMaximumIntensity(); });
 
-  vtkNew<vtkTest::ErrorObserver> observer;
   vtkNew<Mapper> mapper;
-  mapper->AddObserver(vtkCommand::ErrorEvent, observer);
   vtkNew<vtkUnstructuredGrid> grid;
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(0.0, 0.0, 0.0);
@@ -289,10 +290,9 @@ void TestWrong(FlowTable& table)
   VolumeStage stage(std::array<int, 2>{ { 8, 8 } });
   vtkNew<vtkVolumeProperty> property;
   stage.SetVolume(mapper, property);
-  stage.Render();
+  const std::string message = ErrorsOf(mapper, [&]() { stage.Render(); });
   table.Catalogue.Check("unstructured", "an unstructured grid", "an error that says what to do",
-    observer->GetErrorMessage(),
-    observer->GetErrorMessage().find("SAMPLES_OF_IMAGE") != std::string::npos);
+    message, message.find("SAMPLES_OF_IMAGE") != std::string::npos);
 }
 }
 

@@ -5,16 +5,15 @@
 #include "FlowDrawing.h"
 
 #include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceRandom.h"
 
 #include "vtkCamera.h"
-#include "vtkCommand.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
-#include "vtkTestErrorObserver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -260,15 +259,10 @@ void TestOthers(Check& check)
   show.Mapper->ShadowsOn();
   show.Draw();
   const vtkIdType bytes = show.Mapper->GetReport().TextureBytes;
-  vtkNew<vtkTest::ErrorObserver> errors;
-  show.Mapper->AddObserver(vtkCommand::ErrorEvent, errors);
   show.Mapper->SetMaximumTextureMemory(bytes + 1000);
-  show.Draw();
-  check.Contains(errors->GetErrorMessage(), "MaximumTextureMemory");
-  errors->Clear();
+  check.Contains(ErrorsOf(show.Mapper, [&]() { show.Draw(); }), "MaximumTextureMemory");
   show.Mapper->SetMaximumTextureMemory(0);
-  show.Draw();
-  check.That(!errors->GetError(), "no error any more");
+  check.That(ErrorsOf(show.Mapper, [&]() { show.Draw(); }).empty(), "no error any more");
   vtkNew<vtkHardwareSelector> selector;
   selector->SetRenderer(show.Stage.GetRenderer());
   selector->SetArea(0, 0, 39, 39);

@@ -3,12 +3,13 @@
 // never average, grids, colours, uploads.
 #include "Support/Pages/StabilityCase.h"
 #include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Checks/ReferenceProgress.h"
 
 #include "vtkStreamlineTexture.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkCommand.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "Loader/OpenGLFunctions.h"
@@ -378,33 +379,18 @@ void TestUploads(Check& check)
     "lines of four, near");
 }
 
-class ErrorCounter : public vtkCommand
-{
-public:
-  static ErrorCounter* New() { return new ErrorCounter; }
-  void Execute(vtkObject*, unsigned long, void* data) override
-  {
-    this->Message = static_cast<const char*>(data);
-  }
-  std::string Message;
-};
-
 void TestSettings(StabilityCatalogue& catalogue)
 {
   vtkNew<vtkStreamlineTexture> texture;
-  vtkNew<ErrorCounter> errors;
-  texture->AddObserver(vtkCommand::ErrorEvent, errors);
   for (const int wrong : { 0, -4, 3, 8192 })
   {
-    errors->Message.clear();
-    texture->SetNumberOfLines(wrong);
+    const std::string errors = ErrorsOf(texture, [&]() { texture->SetNumberOfLines(wrong); });
     const std::string number = std::to_string(wrong);
     catalogue.Check("lines-" + number, number + " lines", "an error that says so, and 256 lines",
-      errors->Message,
-      errors->Message.find("NumberOfLines " + number) != std::string::npos &&
+      errors,
+      errors.find("NumberOfLines " + number) != std::string::npos &&
         texture->GetNumberOfLines() == 256);
   }
-  errors->Message.clear();
   texture->SetNumberOfLines(1);
   texture->SetTexelsPerLine(1);
   texture->SetLineWidth(-1.0);
@@ -416,8 +402,11 @@ void TestSettings(StabilityCatalogue& catalogue)
       texture->GetDirection() == vtkStreamlineTexture::T);
   Quad quad(1.0, 1.0);
   quad.Actor->SetTexture(texture);
+  Quad::Row row;
+  const auto draw = [&]() { row = quad.Draw(); };
+  const bool isSilent = ErrorsOf(texture, draw).empty();
   catalogue.Measure("width-0", "one line of no width", "what it takes of the light",
-    errors->Message.empty() ? 1.0 - quad.Draw()[WINDOW / 2][0] : std::nan(""), 0.01);
+    isSilent ? 1.0 - row[WINDOW / 2][0] : std::nan(""), 0.01);
   texture->SetLineWidth(1.0);
   catalogue.Measure("width-1", "one line as wide as lines are apart", "what it leaves of the light",
     quad.Draw()[WINDOW / 2][0], 0.01);
@@ -427,9 +416,9 @@ void TestSettings(StabilityCatalogue& catalogue)
   texture->SetLineWidth(0.5);
   texture->SetDirection(vtkStreamlineTexture::S);
   quad.SetPixels(1000.0);
-  const Quad::Row row = quad.Draw();
+  const std::string errors = ErrorsOf(texture, draw);
   catalogue.Check("no-room", "4096 lines of 256 texels", "an error that says there is no room",
-    errors->Message, errors->Message.find("no room for 4096 lines") != std::string::npos);
+    errors, errors.find("no room for 4096 lines") != std::string::npos);
   catalogue.Measure("no-room-lines", "4096 lines of 256 texels", "how light lines are",
     FindLines(row, 0, WINDOW - 1).Darkest, 0.1);
 }
@@ -438,9 +427,7 @@ void TestPrinted(Check& check)
 {
   vtkNew<vtkStreamlineTexture> texture;
   texture->SetTexelsPerLine(256);
-  std::ostringstream printed;
-  texture->Print(printed);
-  check.Contains(printed.str(), "TexelsPerLine: 256");
+  check.Contains(Print(texture), "TexelsPerLine: 256");
 }
 
 }

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The quality bound and the maximum volume are held, and the boundary is kept when asked.
 #include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
 #include "Support/Meshes/ReferenceMeshing.h"
 
-#include "vtkCommand.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
-#include "vtkTestErrorObserver.h"
 #include "vtkTetrahedralMesher.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -66,18 +65,16 @@ void CheckPreserved(vtkPolyData* surface, vtkIdType triangles, Check& check)
 {
   for (double volume : { 0.0, 0.001 })
   {
-    vtkNew<vtkTest::ErrorObserver> observer;
     vtkNew<vtkTetrahedralMesher> mesher;
-    mesher->AddObserver(vtkCommand::WarningEvent, observer);
     mesher->SetInputData(surface);
     mesher->SetMaximumVolume(volume);
     mesher->PreserveBoundaryOn();
-    mesher->Update();
+    const bool isWarned = !WarningsOf(mesher).empty();
     const TetrahedraReport report = Inspect(mesher->GetOutput());
     check.Equal(report.FacesOnce, triangles, "triangles of the boundary");
     check.Near(report.Volume, EnclosedVolume(surface), 1e-12, "volume");
-    check.Equal(observer->GetWarning(), report.LargestVolume > volume && volume > 0,
-      "a warning where a bound is not held");
+    check.Equal(
+      isWarned, report.LargestVolume > volume && volume > 0, "a warning where a bound is not held");
   }
 }
 
@@ -90,18 +87,15 @@ void CheckNeedles(Check& check)
   sphere->SetPhiResolution(16);
   sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   sphere->Update();
-  vtkNew<vtkTest::ErrorObserver> observer;
   vtkNew<vtkTetrahedralMesher> mesher;
-  mesher->AddObserver(vtkCommand::WarningEvent, observer);
   mesher->SetInputConnection(sphere->GetOutputPort());
   mesher->SetQualityBound(1.4);
   mesher->SetMaximumVolume(0.001);
-  mesher->Update();
+  check.That(!WarningsOf(mesher).empty(), "a warning tells that the quality bound is not held");
   const vtkTetrahedralMesherReport& report = mesher->GetReport();
   std::cout << "sphere of needles: " << report.Tetrahedra << " tetrahedra, "
             << report.TetrahedraAboveQualityBound << " beyond the quality bound, smallest "
             << report.SmallestVolume << ", largest " << report.LargestVolume << "\n";
-  check.That(observer->GetWarning(), "a warning tells that the quality bound is not held");
   check.Equal(report.TetrahedraAboveMaximumVolume, 0, "tetrahedra that are too large");
   check.That(report.SmallestVolume > 1e-12, "no tetrahedron is tiny");
   check.Near(
@@ -148,13 +142,11 @@ void CheckRough(Check& check)
     {
       for (double bound : { 4e-3, 2e-4 })
       {
-        vtkNew<vtkTest::ErrorObserver> observer;
         vtkNew<vtkTetrahedralMesher> mesher;
-        mesher->AddObserver(vtkCommand::WarningEvent, observer);
         mesher->SetInputData(input);
         mesher->SetQualityBound(quality);
         mesher->SetMaximumVolume(bound);
-        mesher->Update();
+        const bool isWarned = !WarningsOf(mesher).empty();
         const TetrahedraReport report = Inspect(mesher->GetOutput());
         const vtkTetrahedralMesherReport& told = mesher->GetReport();
         check.Equal(report.NotPositive + report.FacesTooOften + report.FacesTurned, 0, "a mesh");
@@ -164,8 +156,8 @@ void CheckRough(Check& check)
           report.Tetrahedra < 100000, "few tetrahedra: " + std::to_string(report.Tetrahedra));
         check.Near(report.Volume, report.BoundaryVolume, 1e-12, "volume");
         check.That(told.SmallestVolume > 1e-15, "no tetrahedron is tiny");
-        check.Equal(observer->GetWarning(), told.TetrahedraAboveQualityBound > 0,
-          "a warning of the quality bound");
+        check.Equal(
+          isWarned, told.TetrahedraAboveQualityBound > 0, "a warning of the quality bound");
       }
     }
   }
@@ -232,15 +224,13 @@ void CheckScales(Check& check)
 
 void CheckLimits(vtkPolyData* surface, Check& check)
 {
-  vtkNew<vtkTest::ErrorObserver> observer;
   vtkNew<vtkTetrahedralMesher> mesher;
-  mesher->AddObserver(vtkCommand::WarningEvent, observer);
   mesher->SetInputData(surface);
   mesher->SetMaximumVolume(1e-5);
   mesher->SetMaximumNumberOfAddedPoints(500);
-  mesher->Update();
+  const bool isWarned = !WarningsOf(mesher).empty();
   check.That(mesher->GetReport().AddedPoints <= 600, "the number of new points is bounded");
-  check.That(observer->GetWarning() && mesher->GetReport().TetrahedraAboveMaximumVolume > 0,
+  check.That(isWarned && mesher->GetReport().TetrahedraAboveMaximumVolume > 0,
     "a warning tells that the volume is not held");
   check.Near(Inspect(mesher->GetOutput()).Volume, EnclosedVolume(surface), 1e-12, "volume");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Each field against its formula, written again here; regions of known volume; the tetrahedra and
 // tubes that the header tells of the vortices.
+#include "Support/Arrays/ReferenceVector.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"
 #include "Support/Meshes/ReferenceField.h"
@@ -26,31 +27,9 @@ using Vector = std::array<double, 3>;
 
 const double Pi = std::acos(-1.0);
 
-Vector operator+(const Vector& a, const Vector& b)
-{
-  return { { a[0] + b[0], a[1] + b[1], a[2] + b[2] } };
-}
-
-Vector operator*(double s, const Vector& a)
-{
-  return { { s * a[0], s * a[1], s * a[2] } };
-}
-
-Vector Cross(const Vector& a, const Vector& b)
-{
-  Vector c;
-  vtkMath::Cross(a.data(), b.data(), c.data());
-  return c;
-}
-
-double Length(const Vector& a)
-{
-  return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-}
-
 double EvaluateElementary(int field, const Vector& x, double t)
 {
-  const Vector moved = x + -1.0 * Vector{ { 0.3, -0.2, 0.1 } } + -t * Vector{ { 0.2, 0.4, -0.3 } };
+  const Vector moved = x - Vector{ { 0.3, -0.2, 0.1 } } - t * Vector{ { 0.2, 0.4, -0.3 } };
   const Vector a = 2.0 * Pi * moved;
   switch (field)
   {
@@ -59,7 +38,7 @@ double EvaluateElementary(int field, const Vector& x, double t)
     case vtkAnalyticFieldSource::LINEAR:
       return -0.5 + 2.0 * x[0] - 3.0 * x[1] + 0.25 * x[2] + 1.5 * t;
     case vtkAnalyticFieldSource::BALL:
-      return Length(moved) - 0.7 + 0.2 * t;
+      return GetNorm(moved) - 0.7 + 0.2 * t;
     default:
       return std::sin(a[0]) * std::cos(a[1]) + std::sin(a[1]) * std::cos(a[2]) +
         std::sin(a[2]) * std::cos(a[0]);
@@ -108,7 +87,7 @@ struct TubeAtTime
   TubeAtTime(const Tube& tube, double t)
     : Constants(tube)
     , Time(t)
-    , E0((1.0 / Length(tube.Along)) * tube.Along)
+    , E0((1.0 / GetNorm(tube.Along)) * tube.Along)
   {
     vtkMath::Perpendiculars(this->E0.data(), this->E1.data(), this->E2.data(), 0.0);
   }
@@ -126,8 +105,8 @@ struct TubeAtTime
   {
     const Tube& c = this->Constants;
     const double step = 1e-5;
-    const Vector tangent = this->GetAxis(s + step) + -1.0 * this->GetAxis(s - step);
-    const double distance = Length(Cross(offset, tangent)) / Length(tangent);
+    const Vector tangent = this->GetAxis(s + step) - this->GetAxis(s - step);
+    const double distance = GetNorm(Cross(offset, tangent)) / GetNorm(tangent);
     return std::exp(-std::pow((this->Time - c.PeakTime) / c.LifeTime, 2) -
       std::pow(distance / c.Radius, 2) - std::pow(s / c.HalfLength, 4));
   }

@@ -2,9 +2,11 @@
 // Velocities against formulas and properties written anew, the Jacobian against differences,
 // divergence, flow maps against integration, obstacles; parts, threads, progress and abort;
 // settings.
-#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/AnalyticFlows/ReferenceFlowMaps.h"
+#include "Support/Arrays/ReferenceIndices.h"
+#include "Support/Arrays/ReferenceVector.h"
 #include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"
 #include "Support/Checks/ReferenceRandom.h"
 #include "Support/Meshes/ReferenceImageSource.h"
@@ -75,16 +77,6 @@ FlowMatrix Derive(const vtkAnalyticFlowSource* source, const FlowVector& x)
 FlowVector Curl(const FlowMatrix& j)
 {
   return { { j[7] - j[5], j[2] - j[6], j[3] - j[1] } };
-}
-
-double Length(const FlowVector& v)
-{
-  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
-FlowVector Move(const FlowVector& x, const FlowVector& d, double length)
-{
-  return { { x[0] + length * d[0], x[1] + length * d[1], x[2] + length * d[2] } };
 }
 
 // The image has the velocities of its points, as double and as float.
@@ -255,9 +247,8 @@ double GetFlux(const vtkAnalyticFlowSource* source, const FlowVector& center, do
     {
       const double angle = 2.0 * Pi * turn / turns;
       const FlowVector n = { { r * std::cos(angle), r * std::sin(angle), z } };
-      const FlowVector v = Evaluate(source, Move(center, n, radius));
-      flux +=
-        weights[node] / intervals * 2.0 * Pi / turns * (v[0] * n[0] + v[1] * n[1] + v[2] * n[2]);
+      const FlowVector v = Evaluate(source, center + radius * n);
+      flux += weights[node] / intervals * 2.0 * Pi / turns * Dot(v, n);
     }
   }
   return flux * radius * radius;
@@ -278,9 +269,9 @@ void CheckCharges(Check& check)
   source->SetField(vtkAnalyticFlowSource::COUPLED_CHARGE);
   check.Near(GetFlux(source, from, 0.2), -GetFlux(source, to, 0.2), 1e-12, "both are alike");
   const FlowVector x = { { 0.4, 0.3, -0.6 } };
-  const FlowVector ways[2] = { Move(x, from, -1.0), Move(x, to, -1.0) };
-  const double cubes[2] = { std::pow(0.0225 + std::pow(Length(ways[0]), 2), 1.5),
-    std::pow(0.0225 + std::pow(Length(ways[1]), 2), 1.5) };
+  const FlowVector ways[2] = { x - from, x - to };
+  const double cubes[2] = { std::pow(0.0225 + std::pow(GetNorm(ways[0]), 2), 1.5),
+    std::pow(0.0225 + std::pow(GetNorm(ways[1]), 2), 1.5) };
   for (int i = 0; i < 3; ++i)
   {
     check.Near(Evaluate(source, x)[i], 1.3 * (ways[0][i] / cubes[0] - ways[1][i] / cubes[1]), 1e-13,
@@ -301,7 +292,7 @@ void CheckObstacles(Check& check)
   const FlowVector velocity = { { 0.7, -0.4, 0.3 } };
   const double length = std::sqrt(0.25 + 1.0 + 4.0);
   const FlowVector axis = { { 0.5 / length, 1.0 / length, 2.0 / length } };
-  const double along = velocity[0] * axis[0] + velocity[1] * axis[1] + velocity[2] * axis[2];
+  const double along = Dot(velocity, axis);
   for (const int field : { vtkAnalyticFlowSource::SPHERE, vtkAnalyticFlowSource::CYLINDER })
   {
     const bool isSphere = field == vtkAnalyticFlowSource::SPHERE;
@@ -312,30 +303,28 @@ void CheckObstacles(Check& check)
       FlowVector normal = random.GetDirection();
       if (!isSphere)
       {
-        const double height = normal[0] * axis[0] + normal[1] * axis[1] + normal[2] * axis[2];
-        normal = Move(normal, axis, -height);
-        normal = Move({}, normal, 1.0 / Length(normal));
+        const double height = Dot(normal, axis);
+        normal = normal - height * axis;
+        normal *= 1.0 / GetNorm(normal);
       }
-      const FlowVector base = isSphere ? center : Move(center, axis, random.Get(-2.0, 2.0));
-      const FlowVector surface = Move(base, normal, 0.35 * (1.0 + 1e-13));
+      const FlowVector base = isSphere ? center : center + random.Get(-2.0, 2.0) * axis;
+      const FlowVector surface = base + 0.35 * (1.0 + 1e-13) * normal;
       const FlowVector v = Evaluate(source, surface);
-      check.Near(v[0] * normal[0] + v[1] * normal[1] + v[2] * normal[2], 0.0, 1e-12,
-        "velocity through the surface", 1.0);
-      const FlowVector away = Evaluate(source, Move(base, normal, 1e5));
-      const FlowVector expected = isSphere ? velocity : Move(velocity, axis, 0.2);
-      const FlowVector outside = Move(base, normal, random.Get(0.351, 3.0));
+      check.Near(Dot(v, normal), 0.0, 1e-12, "velocity through the surface", 1.0);
+      const FlowVector away = Evaluate(source, base + 1e5 * normal);
+      const FlowVector expected = isSphere ? velocity : velocity + 0.2 * axis;
+      const FlowVector outside = base + random.Get(0.351, 3.0) * normal;
       const FlowVector curl = Curl(Derive(source, outside));
       for (int i = 0; i < 3; ++i)
       {
         check.Near(away[i], expected[i], 1e-9, "velocity far away", 1.0);
         check.Near(curl[i], 0.0, 1e-12, "vorticity", 1.0);
       }
-      const FlowVector inside = Move(base, normal, random.Get(0.0, 0.3499));
-      check.That(Length(Evaluate(source, inside)) == 0.0, "0 inside");
+      const FlowVector inside = base + random.Get(0.0, 0.3499) * normal;
+      check.That(GetNorm(Evaluate(source, inside)) == 0.0, "0 inside");
       if (!isSphere)
       {
-        check.Near(v[0] * axis[0] + v[1] * axis[1] + v[2] * axis[2], along + 0.2, 1e-12,
-          "velocity along the cylinder", 1.0);
+        check.Near(Dot(v, axis), along + 0.2, 1e-12, "velocity along the cylinder", 1.0);
       }
       source->SetInside(vtkAnalyticFlowSource::NOT_A_NUMBER);
       check.That(std::isnan(Evaluate(source, inside)[1]) && std::isnan(Derive(source, inside)[4]),
@@ -356,7 +345,7 @@ void CheckObstacles(Check& check)
         image->GetPoint(i, x.data());
         const bool isHidden = (ghosts->GetValue(i) & vtkDataSetAttributes::HIDDENPOINT) != 0;
         hidden += isHidden ? 1 : 0;
-        check.That(isHidden == (Length(Evaluate(source, x)) == 0.0), "a point inside is hidden");
+        check.That(isHidden == (GetNorm(Evaluate(source, x)) == 0.0), "a point inside is hidden");
       }
       check.That(hidden > 10, "points are hidden");
     }
@@ -417,7 +406,7 @@ void CheckVortices(Check& check)
         const double r = 0.01 * step;
         const FlowVector v = Evaluate(source, { { axis[0] + r, axis[1], axis[2] } });
         // Less what is along the axis.
-        const FlowVector across = Move(v, slope, -v[2]);
+        const FlowVector across = v - v[2] * slope;
         const double swirl = isHurricane
           ? 1.4 * 2.0 * (r / 0.3) / ((1.0 + r * r / 0.09) * (1.0 + h * h))
           : 0.8 / (2.0 * Pi * r) * (1.0 - std::exp(-r * r / 0.0225));

@@ -2,6 +2,7 @@
 // Implicit functions: the inside, the edge's width in units of length, limits. Images: trilinear
 // values of a linear field in any direction and extent, the range, NaN, colours. What is refused.
 #include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"
 #include "Support/Meshes/ReferenceImageSource.h"
 

@@ -2,6 +2,7 @@
 // Every operation against its definition at random points, for soft and hard operands, from left to
 // right, with and without operands that are far away; bounds; operands that are refused.
 #include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"
 #include "Support/Meshes/ReferenceImageSource.h"
 

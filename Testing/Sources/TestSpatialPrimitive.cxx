@@ -2,6 +2,7 @@
 // Every shape against its definition, soft and hard, moved and turned; equation 2.7; volumes whose
 // error halves with the spacing; tiny and huge sizes; sizes that are refused.
 #include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"
 #include "Support/Meshes/ReferenceImageSource.h"
 

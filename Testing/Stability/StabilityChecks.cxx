@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StabilityChecks.h"
 
+#include "Support/Checks/ReferenceMessages.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
@@ -13,22 +15,6 @@
 
 namespace stability
 {
-
-namespace
-{
-/// A message without the place in the source that VTK puts before it, and without line ends.
-std::string InOneLine(const std::string& message)
-{
-  const std::size_t words = message.find("): ");
-  std::string line = words == std::string::npos ? message : message.substr(words + 3);
-  for (char& letter : line)
-  {
-    letter = letter == '\n' ? ' ' : letter;
-  }
-  line.erase(line.find_last_not_of(' ') + 1);
-  return line;
-}
-}
 
 int RunCases(const std::string& test, const std::string& className, int argc, char* argv[],
   std::initializer_list<void (*)(StabilityCatalogue&)> tests)
@@ -56,16 +42,8 @@ Messages UpdateFilter(vtkAlgorithm* filter)
   {
     object->RemoveObserver(observer);
   }
-  return { InOneLine(observer->GetErrorMessage()), InOneLine(observer->GetWarningMessage()) };
-}
-
-std::string ErrorsOf(vtkObject* object, const std::function<void()>& act)
-{
-  vtkNew<vtkTest::ErrorObserver> observer;
-  object->AddObserver(vtkCommand::ErrorEvent, observer);
-  act();
-  object->RemoveObserver(observer);
-  return InOneLine(observer->GetErrorMessage());
+  return { reference::InOneLine(observer->GetErrorMessage()),
+    reference::InOneLine(observer->GetWarningMessage()) };
 }
 
 bool IsEmpty(vtkAlgorithm* filter)

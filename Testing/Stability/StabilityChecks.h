@@ -12,7 +12,6 @@
 
 class vtkAlgorithm;
 class vtkDataArray;
-class vtkObject;
 
 /**
  * What most cases of extreme input of a filter ask of it.
@@ -28,15 +27,13 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 int RunCases(const std::string& test, const std::string& className, int argc, char* argv[],
   std::initializer_list<void (*)(StabilityCatalogue&)> tests);
 
-/// What a filter and its executive, or another object, said.
+/// What a filter and its executive said.
 struct Messages
 {
   std::string Errors;
   std::string Warnings;
 };
 Messages UpdateFilter(vtkAlgorithm* filter);
-/// The errors that \a act makes \a object give.
-std::string ErrorsOf(vtkObject* object, const std::function<void()>& act);
 
 /// Returns whether no output has points.
 bool IsEmpty(vtkAlgorithm* filter);

@@ -6,10 +6,10 @@
 #include "Support/Drawing/PictureCases.h"
 #include "Support/Pictures/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
 #include "Tetrahedra/MapperPicture.h"
 #include "Tetrahedra/PixelSegments.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"
 #include "vtkGeometryFilter.h"
@@ -523,23 +523,15 @@ void TestNothing(Check& check, const Path& path)
   Scene scene(false);
   auto mapper = NewMapper(path);
   scene.SetMapper(mapper);
-  std::string error;
-  vtkNew<vtkCallbackCommand> watch;
-  watch->SetClientData(&error);
-  watch->SetCallback([](vtkObject*, unsigned long, void* text, void* data)
-    { *static_cast<std::string*>(text) = static_cast<const char*>(data); });
-  mapper->AddObserver(vtkCommand::ErrorEvent, watch);
+  const auto draw = [&]() { scene.Stage.Capture(1); };
   SetPlanes(mapper, { "", { { { { 0.0, 0.0, 1.0 } }, { { 0.0, 0.0, 0.5 } } } } });
   mapper->GetClippingPlanes()->GetItem(0)->SetNormal(0.0, 0.0, 0.0);
-  scene.Stage.Capture(1);
-  check.Contains(error, "clipping plane 0");
-  error.clear();
+  check.Contains(ErrorsOf(mapper, draw), "clipping plane 0");
   mapper->GetClippingPlanes()->GetItem(0)->SetNormal(0.0, 0.0, 1.0);
   mapper->GetClippingPlanes()->GetItem(0)->SetOrigin(
     0.0, std::numeric_limits<double>::quiet_NaN(), 0.0);
   mapper->Modified();
-  scene.Stage.Capture(1);
-  check.Contains(error, "clipping plane 0");
+  check.Contains(ErrorsOf(mapper, draw), "clipping plane 0");
 }
 
 }

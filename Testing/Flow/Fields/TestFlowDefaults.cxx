@@ -15,7 +15,6 @@
 #include "vtkTerminationPlane.h"
 #include "vtkVortexAxis.h"
 
-#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
@@ -25,7 +24,6 @@
 #include "vtkRectilinearGrid.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredGrid.h"
-#include "vtkTestErrorObserver.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -40,11 +38,6 @@ using namespace reference;
 Vector Along(const Vector&)
 {
   return { { 0.5, 0.0, 0.0 } };
-}
-
-bool Has(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
 }
 
 std::string ScalarsOf(vtkAlgorithm* filter, int port = 0)
@@ -224,38 +217,34 @@ void TestWarnings(Check& check)
   vtkNew<vtkImplicitFlowField> field;
   field->SetInputDataObject(image);
   field->AddTerminationSurface(beside);
-  check.That(Has(WarningsOf(field),
-               "None of 729 samples reached a termination surface (left domain "
-               "729). Put the surface where the flow comes from"),
-    "no sample");
+  check.Contains(WarningsOf(field),
+    "None of 729 samples reached a termination surface (left domain "
+    "729). Put the surface where the flow comes from");
   vtkNew<vtkInflowMapping> mapping;
   mapping->SetInputConnection(field->GetOutputPort());
-  check.That(
-    Has(WarningsOf(mapping), "not a number at any of 729 samples: 0 reached"), "no inflow");
+  check.Contains(WarningsOf(mapping), "not a number at any of 729 samples: 0 reached");
   vtkNew<vtkFlowVolume> volume;
   volume->SetInputConnection(mapping->GetOutputPort());
-  check.That(Has(WarningsOf(volume), "None of 729 samples reached"), "no volume");
-  check.That(Has(WarningsOf(volume), "None") == false, "once an execution");
+  check.Contains(WarningsOf(volume), "None of 729 samples reached");
+  check.That(WarningsOf(volume).find("None") == std::string::npos, "once an execution");
 
   field->RemoveAllTerminationSurfaces();
   field->AddTerminationSurface(MakeFlowPlane(0.0));
   check.That(WarningsOf(field).empty(), "all samples");
   volume->SetInterval(0, 2.0, 3.0);
-  check.That(
-    Has(WarningsOf(volume), "Interval 0, [2, 3], is outside of the range of Inflow, [0, 1]."),
-    "an interval beside");
+  check.Contains(
+    WarningsOf(volume), "Interval 0, [2, 3], is outside of the range of Inflow, [0, 1].");
   volume->SetNumberOfIntervals(0);
   volume->SetTimeRange(20.0, 30.0);
-  check.That(Has(WarningsOf(volume),
-               "The time range, [20, 30], is outside of the range of AdvectionTime, [0, 8]."),
-    "times beside");
+  check.Contains(WarningsOf(volume),
+    "The time range, [20, 30], is outside of the range of AdvectionTime, [0, 8].");
   volume->SetTimeRange(0.0, 30.0);
   volume->GenerateStreamSurfacesOn();
-  check.That(Has(WarningsOf(volume), "no value for stream surfaces"), "no stream surface");
+  check.Contains(WarningsOf(volume), "no value for stream surfaces");
   vtkNew<vtkStreamSurfaceParameters> texture;
   texture->SetInputData(vtkNew<vtkUnstructuredGrid>());
   texture->SetMapping(mapping);
-  check.That(Has(WarningsOf(texture), "The input has no triangles."), "no triangles");
+  check.Contains(WarningsOf(texture), "The input has no triangles.");
   // A surface has no volume.
   const auto flat = MakeFlowImage(9, Along);
   flat->SetDimensions(9, 9, 1);
@@ -268,23 +257,21 @@ void TestWarnings(Check& check)
   onSheet->AddTerminationSurface(MakeFlowPlane(0.0));
   vtkNew<vtkFlowVolume> none;
   none->SetInputConnection(onSheet->GetOutputPort());
-  check.That(
-    Has(WarningsOf(none), "cells of fewer than three dimensions have no volume"), "a surface");
+  check.Contains(WarningsOf(none), "cells of fewer than three dimensions have no volume");
 
   vtkNew<vtkFlowCriticalPoints> points;
   points->SetInputData(image);
-  check.That(
-    Has(WarningsOf(points), "no isolated critical point in 512 cells: 0 are 0"), "no point");
+  check.Contains(WarningsOf(points), "no isolated critical point in 512 cells: 0 are 0");
   vtkNew<vtkVortexAxis> axis;
   axis->SetInputData(image);
-  check.That(Has(WarningsOf(axis), "No plane across the axis (0, 0, 1) has a vortex"), "no vortex");
+  check.Contains(WarningsOf(axis), "No plane across the axis (0, 0, 1) has a vortex");
   vtkNew<vtkFlowLIC> lic;
   vtkNew<vtkImageData> away;
   away->SetDimensions(3, 3, 3);
   away->SetOrigin(100.0, 0.0, 0.0);
   lic->SetInputData(away);
   lic->SetFieldData(image);
-  check.That(Has(WarningsOf(lic), "All 27 points lie outside of the field"), "points outside");
+  check.Contains(WarningsOf(lic), "All 27 points lie outside of the field");
   // Spheres around critical points are asked for in a field without any.
   vtkNew<vtkImplicitFlowField> spheres;
   spheres->SetInputDataObject(image);
@@ -302,11 +289,7 @@ void TestErrors(Check& check)
   vtkNew<vtkImplicitFlowField> field;
   field->SetInputDataObject(image);
   field->AddTerminationSurface(MakeFlowPlane(0.0));
-  vtkNew<vtkTest::ErrorObserver> observer;
-  field->AddObserver(vtkCommand::ErrorEvent, observer);
-  field->Update();
-  check.That(Has(observer->GetErrorMessage(), "Its point arrays of three components: \""),
-    observer->GetErrorMessage());
+  check.Contains(MessagesOf(field), "Its point arrays of three components: \"");
 }
 }
 

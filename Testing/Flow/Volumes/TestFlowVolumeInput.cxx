@@ -19,7 +19,6 @@
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkTestErrorObserver.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -132,13 +131,9 @@ void CheckErrors(Check& check)
   check.SetContext("settings");
   vtkNew<vtkFlowVolume> volume;
   ExpectWarnings(volume);
-  vtkNew<vtkTest::ErrorObserver> observer;
-  volume->AddObserver(vtkCommand::ErrorEvent, observer);
-  volume->SetStreamSurface(-1, 0.5);
-  check.Contains(observer->GetErrorMessage(), "-1");
-  observer->Clear();
-  volume->SetInterval(10000, 0.0, 1.0);
-  check.Contains(observer->GetErrorMessage(), "Interval index 10000 is not in 0 to 9999.");
+  check.Contains(ErrorsOf(volume, [&]() { volume->SetStreamSurface(-1, 0.5); }), "-1");
+  check.Contains(ErrorsOf(volume, [&]() { volume->SetInterval(10000, 0.0, 1.0); }),
+    "Interval index 10000 is not in 0 to 9999.");
   check.Near(volume->GetStreamSurface(3), 0.0, 0.0, "none there", 1.0);
   volume->SetTimeSurface(2, 0.5);
   check.Equal(volume->GetNumberOfTimeSurfaces(), 3, "surfaces are added");

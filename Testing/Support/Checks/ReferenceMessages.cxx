@@ -9,6 +9,7 @@
 #include "vtkNew.h"
 #include "vtkTestErrorObserver.h"
 
+#include <algorithm>
 #include <iostream>
 
 std::string reference::MessagesOf(vtkAlgorithm* filter)
@@ -20,6 +21,24 @@ std::string reference::MessagesOf(vtkAlgorithm* filter)
   filter->RemoveObserver(observer);
   filter->GetExecutive()->RemoveObserver(observer);
   return observer->GetErrorMessage();
+}
+
+std::string reference::ErrorsOf(vtkObject* object, const std::function<void()>& act)
+{
+  vtkNew<vtkTest::ErrorObserver> observer;
+  object->AddObserver(vtkCommand::ErrorEvent, observer);
+  act();
+  object->RemoveObserver(observer);
+  return InOneLine(observer->GetErrorMessage());
+}
+
+std::string reference::InOneLine(const std::string& message)
+{
+  const std::size_t words = message.find("): ");
+  std::string line = words == std::string::npos ? message : message.substr(words + 3);
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line;
 }
 
 std::string reference::WarningsOf(vtkAlgorithm* filter)

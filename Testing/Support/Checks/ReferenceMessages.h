@@ -2,15 +2,23 @@
 #ifndef ReferenceMessages_h
 #define ReferenceMessages_h
 
-#include <string> // for the messages
+#include <functional> // for what is watched
+#include <string>     // for the messages
 
 class vtkAlgorithm;
+class vtkObject;
 
 namespace reference
 {
 
 /// The errors of a filter and its executive while it is updated.
 std::string MessagesOf(vtkAlgorithm* filter);
+
+/// The errors that \a act makes \a object give, in one line.
+std::string ErrorsOf(vtkObject* object, const std::function<void()>& act);
+
+/// A message without the place in the source that VTK puts before it, and without line ends.
+std::string InOneLine(const std::string& message);
 
 /// The warnings of a filter while it is updated.
 std::string WarningsOf(vtkAlgorithm* filter);

@@ -9,7 +9,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
-#include "vtkTestErrorObserver.h"
 
 #include <algorithm>
 
@@ -99,15 +98,6 @@ void CheckImageSource(vtkImageAlgorithm* source, Check& check)
   CheckParts(source, check);
   CheckNumbersOfThreads(source, check);
   CheckAbort(source, check);
-}
-
-std::string ErrorsOf(vtkObject* object, const std::function<void()>& act)
-{
-  vtkNew<vtkTest::ErrorObserver> observer;
-  object->AddObserver(vtkCommand::ErrorEvent, observer);
-  act();
-  object->RemoveObserver(observer);
-  return observer->GetErrorMessage();
 }
 
 }

@@ -4,12 +4,10 @@
 
 #include "Support/Checks/ReferenceCheck.h" // for the result
 
-#include <functional> // for what fails
-#include <string>     // for bytes and messages
+#include <string> // for bytes
 
 class vtkImageAlgorithm;
 class vtkImageData;
-class vtkObject;
 
 namespace reference
 {
@@ -20,9 +18,6 @@ std::string GetBytes(vtkImageData* image);
 /// Parts of the output have the bytes that they have in the whole; the bytes are the same for 1, 2
 /// and 8 threads; progress grows; an abort leaves nothing, and no trace once it is taken back.
 void CheckImageSource(vtkImageAlgorithm* source, Check& check);
-
-/// The errors that an object tells while \a act runs.
-std::string ErrorsOf(vtkObject* object, const std::function<void()>& act);
 
 }
 
