@@ -179,7 +179,8 @@ std::set<std::string> FindValues(
   }
   const std::string& text = header->second;
   std::set<std::string> values = FindAll(text, R"(vtkSet\w*Macro\((\w+),)");
-  const std::set<std::string> asked = FindAll(text, R"(\bGet(\w+)\()");
+  std::set<std::string> asked = FindAll(text, R"(\bGet(\w+)\()");
+  asked.merge(FindAll(text, R"(vtkGet\w*Macro\((\w+),)"));
   for (const std::string& value : FindAll(text, R"(void Set(\w+)\()"))
   {
     if (asked.count(value) > 0)
