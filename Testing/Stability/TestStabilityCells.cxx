@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Extreme geometry and topology: cells without volume, inverted, with repeated points, alone, far
 // away, tiny, or with coordinates that are no numbers.
-#include "Support/Pages/StabilityCase.h"
+#include "StabilityChecks.h"
+
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Intervals/ReferenceExtraction.h"
 #include "Support/Meshes/ReferenceField.h"
@@ -253,13 +254,7 @@ void TestCoordinates(StabilityCatalogue& catalogue)
 
 int TestStabilityCells(int argc, char* argv[])
 {
-  StabilityCatalogue catalogue("TestStabilityCells", argc, argv);
-  catalogue.SetClass("vtkIntervalVolume");
-  TestFlatCells(catalogue);
-  TestInvertedCells(catalogue);
-  TestRepeatedPoints(catalogue);
-  TestSingleCells(catalogue);
-  TestFlatLattices(catalogue);
-  TestCoordinates(catalogue);
-  return catalogue.GetExitCode();
+  return stability::RunCases(__func__, "vtkIntervalVolume", argc, argv,
+    { TestFlatCells, TestInvertedCells, TestRepeatedPoints, TestSingleCells, TestFlatLattices,
+      TestCoordinates });
 }

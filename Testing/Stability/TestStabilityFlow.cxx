@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Streamlines of extreme fields: each ends with a status, in steps that are bounded.
-#include "Support/Pages/StabilityCase.h"
+#include "StabilityChecks.h"
+
 #include "Support/Flow/ReferenceAdvection.h"
 
 #include "vtkImplicitFlowField.h" // for the integrators
@@ -9,19 +10,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace
 {
 
 using namespace reference;
-
-std::string Short(double value)
-{
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
+using namespace stability;
 
 Lattice Cubes(const Place& spacing, int number)
 {
@@ -323,12 +317,6 @@ void TestSurfaces(StabilityCatalogue& catalogue)
 
 int TestStabilityFlow(int argc, char* argv[])
 {
-  StabilityCatalogue catalogue("TestStabilityFlow", argc, argv);
-  catalogue.SetClass("vtkImplicitFlowField");
-  TestStiff(catalogue);
-  TestNodes(catalogue);
-  TestScales(catalogue);
-  TestFields(catalogue);
-  TestSurfaces(catalogue);
-  return catalogue.GetExitCode();
+  return RunCases(__func__, "vtkImplicitFlowField", argc, argv,
+    { TestStiff, TestNodes, TestScales, TestFields, TestSurfaces });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Extreme values of the scalar and the bounds.
-#include "Support/Pages/StabilityCase.h"
+#include "StabilityChecks.h"
+
 #include "Support/Intervals/ReferenceExtraction.h"
 #include "Support/Meshes/ReferenceField.h"
 #include "Support/Meshes/ReferenceGrid.h"
@@ -292,13 +293,7 @@ void TestNotFinite(StabilityCatalogue& catalogue)
 
 int TestStabilityValues(int argc, char* argv[])
 {
-  StabilityCatalogue catalogue("TestStabilityValues", argc, argv);
-  catalogue.SetClass("vtkIntervalVolume");
-  TestRanges(catalogue);
-  TestEqualBounds(catalogue);
-  TestConstant(catalogue);
-  TestUnsignedChar(catalogue);
-  TestSixtyFourBits(catalogue);
-  TestNotFinite(catalogue);
-  return catalogue.GetExitCode();
+  return stability::RunCases(__func__, "vtkIntervalVolume", argc, argv,
+    { TestRanges, TestEqualBounds, TestConstant, TestUnsignedChar, TestSixtyFourBits,
+      TestNotFinite });
 }
