@@ -64,14 +64,14 @@ RgbaPicture Draw(vtkUnstructuredGridVolumeMapper* mapper, const PictureCase& wha
 
 }
 
-PictureCase MakeCase(
-  vtkUnstructuredGrid* grid, vtkVolumeProperty* property, const Point3& direction, bool parallel)
+PictureCase MakeCase(vtkUnstructuredGrid* grid, vtkVolumeProperty* property,
+  const Point3& direction, bool parallel, const std::array<int, 2>& size)
 {
   PictureCase what;
   what.Grid = grid;
   what.Property = property;
   what.Camera = LookAt(grid, direction, parallel);
-  what.Settings.Size = { { 96, 96 } };
+  what.Settings.Size = size;
   return what;
 }
 

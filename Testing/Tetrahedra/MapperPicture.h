@@ -32,9 +32,10 @@ struct PictureCase
   std::vector<vtkSmartPointer<vtkActor>> Actors;
 };
 
-/// \a grid seen from \a direction, in 96 x 96 pixels.
+/// \a grid seen from \a direction.
 PictureCase MakeCase(vtkUnstructuredGrid* grid, vtkVolumeProperty* property,
-  const std::array<double, 3>& direction, bool parallel);
+  const std::array<double, 3>& direction, bool parallel,
+  const std::array<int, 2>& size = { { 96, 96 } });
 
 /// Gives a mapper the grid and the settings: arrays, blend and integration mode, priorities.
 void Configure(vtkTimeWeightedTetrahedraMapper* mapper, const PictureCase& what);

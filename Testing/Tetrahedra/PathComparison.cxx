@@ -139,7 +139,8 @@ std::string GetPlace(int i, int j)
 
 }
 
-void PathComparison::Compare(const PictureCase& what, const std::string& name)
+void ComparePaths(
+  const PictureCase& what, const std::string& name, Check& check, double shareOfSilhouettePixels)
 {
   const RgbaPicture software = DrawByPath(Mapper::SOFTWARE_PATH, what);
   const RgbaPicture openGL = DrawByPath(Mapper::OPENGL_PATH, what);
@@ -157,7 +158,7 @@ void PathComparison::Compare(const PictureCase& what, const std::string& name)
       apart.push_back({ { i, j } });
     }
   }
-  this->Checks.That(LargestAlpha(openGL) > 0.1, name + ": something is seen");
+  check.That(LargestAlpha(openGL) > 0.1, name + ": something is seen");
 
   const RgbaPicture expected = DrawByReference(wanted);
   double error = 0.0;
@@ -173,9 +174,8 @@ void PathComparison::Compare(const PictureCase& what, const std::string& name)
       place = GetPlace(i, j);
     }
   }
-  this->Checks.Near(error, 0.0, SoftwareBound, name + ": software path" + place, 1.0);
+  check.Near(error, 0.0, SoftwareBound, name + ": software path" + place, 1.0);
 
-  int silhouettes = 0;
   if (!apart.empty())
   {
     const Silhouettes shapes(what);
@@ -184,24 +184,20 @@ void PathComparison::Compare(const PictureCase& what, const std::string& name)
     for (std::size_t p = 0; p < most; ++p)
     {
       const double distance = shapes.GetDistance(apart[p][0], apart[p][1]);
-      this->Checks.That(distance <= SilhouetteWidth,
+      check.That(distance <= SilhouetteWidth,
         name + ": paths differ" + GetPlace(apart[p][0], apart[p][1]) + ", " +
           std::to_string(distance) + " pixels from a silhouette");
-      silhouettes += 1;
     }
   }
   const double all = static_cast<double>(width) * height;
-  this->Checks.That(
-    static_cast<double>(apart.size()) <= std::max(16.0, this->MostSilhouettes * all),
+  check.That(static_cast<double>(apart.size()) <= std::max(16.0, shareOfSilhouettePixels * all),
     name + ": paths differ in " + std::to_string(apart.size()) + " pixels");
   std::cout << name << ": software " << error << place << ", paths differ in " << apart.size()
             << " silhouette pixels\n";
-  this->LargestError = std::max(this->LargestError, error);
-  this->SilhouettePixels += silhouettes;
-  this->Pixels += static_cast<long long>(width) * height;
 }
 
-void PathComparison::CompareAlongAxes(PictureCase what, const std::string& name)
+void ComparePathsAlongAxes(
+  PictureCase what, const std::string& name, Check& check, double shareOfSilhouettePixels)
 {
   for (bool parallel : { false, true })
   {
@@ -212,9 +208,10 @@ void PathComparison::CompareAlongAxes(PictureCase what, const std::string& name)
         Point3 direction = { { 0.0, 0.0, 0.0 } };
         direction[axis] = sign;
         what.Camera = LookAt(what.Grid, direction, parallel);
-        this->Compare(what,
+        ComparePaths(what,
           name + (parallel ? ", parallel, along " : ", perspective, along ") +
-            (sign > 0.0 ? "+" : "-") + "xyz"[axis]);
+            (sign > 0.0 ? "+" : "-") + "xyz"[axis],
+          check, shareOfSilhouettePixels);
       }
     }
   }

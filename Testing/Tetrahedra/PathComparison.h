@@ -12,8 +12,7 @@ namespace reference
 class Check;
 
 /**
- * @class   PathComparison
- * @brief   compares both render paths with each other and with the reference
+ * Compares both render paths with each other and with the reference.
  *
  * Every pixel of the software path's picture is compared with the OpenGL path's. The reference
  * draws a lattice of pixels, and besides every pixel in which the two are more than a thousandth
@@ -21,36 +20,16 @@ class Check;
  *
  * Expected are an error of the software path of 1e-3 at most, and paths that differ by 2/255 at
  * most but for silhouette pixels: OpenGL rounds corners to 1/256 of a pixel, so that a pixel whose
- * centre is as near to the edge of a tetrahedron's silhouette can be on its other side. They are
- * few.
+ * center is as near to the edge of a tetrahedron's silhouette can be on its other side. They are
+ * at most a share of all.
  */
-class PathComparison
-{
-public:
-  PathComparison(Check& check, double shareOfSilhouettePixels = 5e-4)
-    : Checks(check)
-    , MostSilhouettes(shareOfSilhouettePixels)
-  {
-  }
+void ComparePaths(const PictureCase& what, const std::string& name, Check& check,
+  double shareOfSilhouettePixels = 5e-4);
 
-  /// Compares the pictures of one view.
-  void Compare(const PictureCase& what, const std::string& name);
-  /// Compares those along both directions of each axis, in parallel and in perspective. The camera
-  /// of \a what is set.
-  void CompareAlongAxes(PictureCase what, const std::string& name);
-
-  /// Largest error of the software path so far, and pixels by which the paths differ.
-  double GetLargestError() const { return this->LargestError; }
-  long long GetSilhouettePixels() const { return this->SilhouettePixels; }
-  long long GetPixels() const { return this->Pixels; }
-
-private:
-  Check& Checks;
-  double MostSilhouettes;
-  double LargestError = 0.0;
-  long long SilhouettePixels = 0;
-  long long Pixels = 0;
-};
+/// Compares those along both directions of each axis, in parallel and in perspective. The camera of
+/// \a what is set.
+void ComparePathsAlongAxes(
+  PictureCase what, const std::string& name, Check& check, double shareOfSilhouettePixels = 5e-4);
 
 }
 

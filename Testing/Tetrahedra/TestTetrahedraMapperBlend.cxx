@@ -38,12 +38,8 @@ constexpr Point3 Blue = { { 0.1, 0.3, 1.0 } };
 
 PictureCase MakeCase(bool parallel)
 {
-  PictureCase what;
-  what.Grid = MakeCube(4);
-  what.Property = MakeRamp(0.1, 1.0, 0.25);
-  what.Camera = LookAt(what.Grid, Slanted, parallel);
-  what.Settings.Size = { { 80, 64 } };
-  return what;
+  return reference::MakeCase(
+    MakeCube(4), MakeRamp(0.1, 1.0, 0.25), Slanted, parallel, { { 80, 64 } });
 }
 
 /// Compares both render paths with the reference.

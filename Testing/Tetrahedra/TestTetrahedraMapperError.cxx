@@ -65,11 +65,7 @@ public:
     for (bool parallel : { true, false })
     {
       const std::string projection = parallel ? "parallel" : "perspective";
-      PictureCase what;
-      what.Grid = grid;
-      what.Property = property;
-      what.Camera = LookAt(grid, direction, parallel);
-      what.Settings.Size = size;
+      const PictureCase what = MakeCase(grid, property, direction, parallel, size);
       const RgbaPicture expected = DrawByReference(what);
       std::ostringstream wanted;
       wanted.precision(3);

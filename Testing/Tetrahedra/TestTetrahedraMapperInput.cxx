@@ -72,14 +72,9 @@ private:
   vtkSmartPointer<vtkObject> Object;
 };
 
-PictureCase MakeCase(int cells = 4)
+PictureCase MakeCase()
 {
-  PictureCase what;
-  what.Grid = MakeCube(cells);
-  what.Property = MakeRamp(0.1, 1.0, 0.25);
-  what.Camera = LookAt(what.Grid, Slanted, false);
-  what.Settings.Size = { { 64, 48 } };
-  return what;
+  return reference::MakeCase(MakeCube(4), MakeRamp(0.1, 1.0, 0.25), Slanted, false, { { 64, 48 } });
 }
 
 /// What one picture came to.

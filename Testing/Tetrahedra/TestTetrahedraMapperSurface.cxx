@@ -181,11 +181,7 @@ void ExpectInside(Check& check, vtkUnstructuredGrid* grid, vtkCamera* camera,
 
 void TestOpaque(Check& check, int path, bool parallel)
 {
-  PictureCase what;
-  what.Grid = MakeCube(4);
-  what.Property = MakeRamp(0.1, 1.0, 0.25);
-  what.Camera = LookAt(what.Grid, Slanted, parallel);
-  what.Settings.Size = Size;
+  const PictureCase what = MakeCase(MakeCube(4), MakeRamp(0.1, 1.0, 0.25), Slanted, parallel, Size);
   auto sides = MakeSides(what.Grid);
   check.Equal(sides->GetNumberOfCells(), 6 * 4 * 4 * 2, "triangles of the cube's sides");
   Surface surface(path, sides, 1.0);
@@ -200,11 +196,7 @@ void TestOpaque(Check& check, int path, bool parallel)
 /// Triangles are lit from the side that is seen, whichever way their normals point.
 void TestBothSides(Check& check, int path)
 {
-  PictureCase what;
-  what.Grid = MakeCube(4);
-  what.Property = MakeRamp(0.0, 1.0, 0.25);
-  what.Camera = LookAt(what.Grid, Slanted, false);
-  what.Settings.Size = Size;
+  const PictureCase what = MakeCase(MakeCube(4), MakeRamp(0.0, 1.0, 0.25), Slanted, false, Size);
   RgbaPicture pictures[2];
   double brightest = 0.0;
   for (const int side : { 0, 1 })
@@ -261,11 +253,8 @@ vtkSmartPointer<vtkTexture> MakeTexture(vtkPolyData* triangles)
 
 void TestTexture(Check& check, int path, bool parallel)
 {
-  PictureCase what;
-  what.Grid = MakeLayers(4, { 0.0, 0.5, 1.0 });
-  what.Property = MakeProperty({ { 0.0, { { 1.0, 1.0, 1.0 } }, 0.0 } });
-  what.Camera = LookAt(what.Grid, FaceOn, parallel);
-  what.Settings.Size = Size;
+  const PictureCase what = MakeCase(MakeLayers(4, { 0.0, 0.5, 1.0 }),
+    MakeProperty({ { 0.0, { { 1.0, 1.0, 1.0 } }, 0.0 } }), FaceOn, parallel, Size);
   auto middle = MakeMiddle(what.Grid);
   auto texture = MakeTexture(middle);
   Surface surface(path, middle, 0.5);
@@ -303,11 +292,8 @@ void TestSlab(Check& check, int path, bool parallel, const Point3& direction, do
 {
   constexpr double extinction = 1.5;
   const Point3 slab = { { 0.9, 0.5, 0.1 } };
-  PictureCase what;
-  what.Grid = grid;
-  what.Property = MakeProperty({ { 0.0, slab, extinction } });
-  what.Camera = LookAt(what.Grid, direction, parallel);
-  what.Settings.Size = Size;
+  const PictureCase what =
+    MakeCase(grid, MakeProperty({ { 0.0, slab, extinction } }), direction, parallel, Size);
   if (cut >= 0.0)
   {
     const double distance = what.Camera->GetDistance();
@@ -407,10 +393,7 @@ void TestFaces(Check& check, int path, bool parallel)
 /// Triangles that are no faces are counted, wherever their points are.
 void TestUnmatched(Check& check, int path)
 {
-  PictureCase what;
-  what.Grid = MakeCube(2);
-  what.Property = MakeRamp(0.1, 1.0);
-  what.Camera = LookAt(what.Grid, Slanted, true);
+  const PictureCase what = MakeCase(MakeCube(2), MakeRamp(0.1, 1.0), Slanted, true, { { 64, 64 } });
   auto sides = MakeSides(what.Grid);
   const vtkIdType matched = sides->GetNumberOfCells();
   // Across the whole cube.
