@@ -78,6 +78,12 @@ std::string FlowTextures::Send(
     texture.Object = vtkSmartPointer<vtkTextureObject>::New();
   }
   vtkTextureObject* object = texture.Object;
+  // A texture of OpenGL keeps the number of its dimensions.
+  const unsigned int target = isVolume ? GL_TEXTURE_3D : GL_TEXTURE_2D;
+  if (object->GetHandle() != 0 && object->GetTarget() != target)
+  {
+    object->ReleaseGraphicsResources(window);
+  }
   object->SetContext(window);
   const int filter = source.IsSmooth ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
   object->SetMagnificationFilter(filter);
