@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAreaLight.h"
 
+#include "Common/NamedValue.h"
 #include "Lights/EmitterGrid.h"
 #include "Lights/EmitterSamples.h"
 #include "Lights/LightFrame.h"
@@ -209,9 +210,7 @@ vtkLight* vtkAreaLight::ShallowClone()
 void vtkAreaLight::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Shape: " << this->GetShapeAsString() << "\n";
-  os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << "\n";
-  os << indent << "Emitter: " << this->Emitter.GetPointer() << "\n";
-  os << indent << "ViewUp: " << this->ViewUp[0] << " " << this->ViewUp[1] << " " << this->ViewUp[2]
-     << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "Shape", this->GetShapeAsString() }, { "Size", this->Size },
+      { "Emitter", this->Emitter.GetPointer() }, { "ViewUp", this->ViewUp } });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkProjectiveLight.h"
 
+#include "Common/NamedValue.h"
 #include "Lights/LightFrame.h"
 #include "Lights/LightImage.h"
 
@@ -200,11 +201,8 @@ vtkLight* vtkProjectiveLight::ShallowClone()
 void vtkProjectiveLight::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Image: " << this->Image.GetPointer() << "\n";
-  os << indent << "Interpolate: " << (this->Interpolate ? "On" : "Off") << "\n";
-  os << indent << "ScreenSize: " << this->ScreenSize[0] << " " << this->ScreenSize[1] << "\n";
-  os << indent << "ViewUp: " << this->ViewUp[0] << " " << this->ViewUp[1] << " " << this->ViewUp[2]
-     << "\n";
-  os << indent << "EdgeWidth: " << this->EdgeWidth << "\n";
-  os << indent << "ScreenOpacity: " << this->ScreenOpacity << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "Image", this->Image.GetPointer() }, { "Interpolate", this->Interpolate ? "On" : "Off" },
+      { "ScreenSize", this->ScreenSize }, { "ViewUp", this->ViewUp },
+      { "EdgeWidth", this->EdgeWidth }, { "ScreenOpacity", this->ScreenOpacity } });
 }
