@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowedScenePass.h"
 
-#include "Draw/SliceGroup.h"
+#include "Common/NamedValue.h"
+#include "Draw/VolumeImage.h"
 #include "Receivers/SceneRenderer.h"
 
 #include "vtkInformation.h"
@@ -15,6 +16,9 @@
 #include "vtkShadowedSliceMapper.h"
 #include "vtkVolume.h"
 #include "vtkVolumeCollection.h"
+
+#include <algorithm>
+#include <set>
 
 vtkStandardNewMacro(vtkShadowedScenePass);
 vtkCxxSetObjectMacro(vtkShadowedScenePass, DelegatePass, vtkRenderPass);
@@ -41,6 +45,11 @@ void SetKey(vtkProp* prop, vtkInformationIntegerKey* key, bool isOn)
   }
 }
 
+interlume::VolumeImage& UpdateImage(vtkRenderer* renderer, vtkVolume* volume)
+{
+  return vtkShadowedSliceMapper::SafeDownCast(volume->GetMapper())->UpdateImage(renderer, volume);
+}
+
 bool GetKey(vtkProp* prop, vtkInformationIntegerKey* key)
 {
   vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
@@ -50,7 +59,7 @@ bool GetKey(vtkProp* prop, vtkInformationIntegerKey* key)
 
 vtkShadowedScenePass::vtkShadowedScenePass()
   : Renderer(std::make_unique<interlume::SceneRenderer>())
-  , Group(std::make_shared<interlume::SliceGroup>())
+  , Together(std::make_shared<interlume::SliceRenderer>())
 {
 }
 
@@ -118,14 +127,14 @@ void vtkShadowedScenePass::Render(const vtkRenderState* state)
   if (!scene.Begin(renderer, request, static_cast<int>(this->Volumes.size()), this->Report))
   {
     scene.ReleaseGraphicsResources(window);
-    this->Group->ReleaseGraphicsResources(window);
+    this->Together->ReleaseGraphicsResources(window);
     this->DrawAll(state);
     return;
   }
   vtkRenderState surfaces(renderer);
   surfaces.SetPropArrayAndCount(scene.GetProps().data(), static_cast<int>(scene.GetProps().size()));
   this->PreRender(&surfaces);
-  const std::string error = this->DrawAhead(renderer);
+  const std::string error = this->DrawShadows(renderer);
   if (!error.empty())
   {
     vtkErrorMacro(<< "The scene is drawn without shadows: " << error);
@@ -134,9 +143,9 @@ void vtkShadowedScenePass::Render(const vtkRenderState* state)
   scene.Activate();
   this->DrawAll(state);
   scene.End(renderer);
-  for (vtkVolume* volume : this->Volumes)
+  for (interlume::VolumeImage* image : this->Images)
   {
-    vtkShadowedSliceMapper::SafeDownCast(volume->GetMapper())->EndScene();
+    image->EndScene();
   }
   this->PostRender(&surfaces);
   this->WarnOfUnreached();
@@ -145,6 +154,7 @@ void vtkShadowedScenePass::Render(const vtkRenderState* state)
 void vtkShadowedScenePass::FindVolumes(vtkRenderer* renderer)
 {
   this->Volumes.clear();
+  this->Images.clear();
   vtkVolumeCollection* volumes = renderer->GetVolumes();
   vtkCollectionSimpleIterator iterator;
   volumes->InitTraversal(iterator);
@@ -158,7 +168,7 @@ void vtkShadowedScenePass::FindVolumes(vtkRenderer* renderer)
   }
 }
 
-std::string vtkShadowedScenePass::DrawAhead(vtkRenderer* renderer)
+std::string vtkShadowedScenePass::DrawShadows(vtkRenderer* renderer)
 {
   interlume::SceneRenderer& scene = *this->Renderer;
   std::string error = scene.DrawMaps(renderer, this->Report);
@@ -183,44 +193,50 @@ std::string vtkShadowedScenePass::DrawAhead(vtkRenderer* renderer)
   return error;
 }
 
-void vtkShadowedScenePass::DrawVolumes(vtkRenderer* renderer)
+std::string vtkShadowedScenePass::DrawTogether(vtkRenderer* renderer)
 {
-  interlume::SliceScene& scene = this->Renderer->GetScene();
-  this->Report.Volumes = 0;
-  this->Report.VolumesTogether = 0;
-  scene.Fields.clear();
-  this->Group->Clear();
+  this->Images.clear();
   for (vtkVolume* volume : this->Volumes)
   {
     // What vtkVolume does before it draws.
     volume->Update();
     volume->GetProperty();
-    if (this->Volumes.size() > 1)
-    {
-      vtkShadowedSliceMapper::SafeDownCast(volume->GetMapper())
-        ->Join(renderer, volume, this->Group.get());
-    }
+    this->Images.push_back(&UpdateImage(renderer, volume));
   }
-  this->Report.VolumesApart = this->Group->Draw(renderer, &scene);
-  for (vtkVolume* volume : this->Volumes)
+  const std::set<interlume::VolumeImage*> images(this->Images.begin(), this->Images.end());
+  return images.size() < this->Images.size()
+    ? "one mapper draws several volumes"
+    : interlume::VolumeImage::DrawTogether(
+        renderer, this->Images, this->Together, this->Renderer->GetScene());
+}
+
+void vtkShadowedScenePass::DrawVolumes(vtkRenderer* renderer)
+{
+  interlume::SliceScene& scene = this->Renderer->GetScene();
+  scene.Fields.clear();
+  this->Report.VolumesApart = this->DrawTogether(renderer);
+  const auto together = std::count_if(this->Images.begin(), this->Images.end(),
+    [](const interlume::VolumeImage* image) { return image->IsTogether(); });
+  if (together == 0)
   {
-    auto* mapper = vtkShadowedSliceMapper::SafeDownCast(volume->GetMapper());
-    if (mapper->TakeShare(this->Group, &scene))
+    this->Together->ReleaseGraphicsResources(renderer->GetRenderWindow());
+  }
+  this->Report.VolumesTogether = together > 1 ? static_cast<int>(together) : 0;
+  for (std::size_t i = 0; i < this->Images.size(); ++i)
+  {
+    if (!this->Images[i]->IsTogether())
     {
-      ++this->Report.VolumesTogether;
-    }
-    else
-    {
-      mapper->DrawAhead(renderer, volume, &scene);
+      // A mapper may have several volumes, one request at a time.
+      UpdateImage(renderer, this->Volumes[i]).Draw(renderer, &scene);
     }
   }
 }
 
 void vtkShadowedScenePass::ShowVolumes(vtkRenderer* renderer)
 {
-  for (vtkVolume* volume : this->Volumes)
+  for (interlume::VolumeImage* image : this->Images)
   {
-    vtkShadowedSliceMapper::SafeDownCast(volume->GetMapper())->ShowAhead(renderer);
+    image->Show(renderer);
   }
 }
 
@@ -269,7 +285,7 @@ vtkMTimeType vtkShadowedScenePass::GetShaderStageMTime()
 void vtkShadowedScenePass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Renderer->ReleaseGraphicsResources(window);
-  this->Group->ReleaseGraphicsResources(window);
+  this->Together->ReleaseGraphicsResources(window);
   if (this->DelegatePass)
   {
     this->DelegatePass->ReleaseGraphicsResources(window);
@@ -280,13 +296,12 @@ void vtkShadowedScenePass::ReleaseGraphicsResources(vtkWindow* window)
 void vtkShadowedScenePass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "DelegatePass: " << this->DelegatePass << "\n";
-  os << indent << "Shadows: " << this->Shadows << "\n";
-  os << indent << "MaximumNumberOfShadows: " << this->MaximumNumberOfShadows << "\n";
-  os << indent << "DepthMapResolution: " << this->DepthMapResolution << "\n";
-  os << indent << "DepthBias: " << this->DepthBias << "\n";
-  os << indent << "NumberOfLightSamples: " << this->NumberOfLightSamples << "\n";
-  os << indent << "MaximumNumberOfLayers: " << this->MaximumNumberOfLayers << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "DelegatePass", this->DelegatePass }, { "Shadows", this->Shadows },
+      { "MaximumNumberOfShadows", this->MaximumNumberOfShadows },
+      { "DepthMapResolution", this->DepthMapResolution }, { "DepthBias", this->DepthBias },
+      { "NumberOfLightSamples", this->NumberOfLightSamples },
+      { "MaximumNumberOfLayers", this->MaximumNumberOfLayers } });
   os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

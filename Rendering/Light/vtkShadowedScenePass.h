@@ -16,7 +16,8 @@ class vtkVolume;
 namespace interlume
 {
 class SceneRenderer;
-class SliceGroup;
+class SliceRenderer;
+class VolumeImage;
 }
 
 /**
@@ -293,10 +294,11 @@ private:
 
   /// Draws what the renderer draws without a pass, or the delegate.
   void DrawAll(const vtkRenderState* state);
-  std::string DrawAhead(vtkRenderer* renderer);
-  /// Draws all volumes for the scene as it is, and lays what was drawn over the framebuffer that is
-  /// bound.
+  std::string DrawShadows(vtkRenderer* renderer);
+  /// Renders all volumes for the scene as it is, together if that is possible, and lays the images
+  /// over the framebuffer that is bound.
   void DrawVolumes(vtkRenderer* renderer);
+  std::string DrawTogether(vtkRenderer* renderer);
   void ShowVolumes(vtkRenderer* renderer);
   void FindVolumes(vtkRenderer* renderer);
   void WarnOfUnreached();
@@ -310,9 +312,11 @@ private:
   int MaximumNumberOfLayers = 16;
   vtkShadowedSceneReport Report;
   std::unique_ptr<interlume::SceneRenderer> Renderer;
-  std::shared_ptr<interlume::SliceGroup> Group;
-  /// The volumes of the picture that is being drawn.
+  /// The renderer of volumes in shared slices.
+  std::shared_ptr<interlume::SliceRenderer> Together;
+  /// The volumes of the scene that is being drawn, and their images.
   std::vector<vtkVolume*> Volumes;
+  std::vector<interlume::VolumeImage*> Images;
 };
 
 #endif

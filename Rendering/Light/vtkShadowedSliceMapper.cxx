@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowedSliceMapper.h"
 
-#include "Draw/SliceGroup.h"
-#include "Draw/SliceRenderer.h"
-#include "Receivers/SliceScene.h"
+#include "Common/NamedValue.h"
+#include "Draw/VolumeImage.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
@@ -21,9 +20,22 @@
 
 vtkStandardNewMacro(vtkShadowedSliceMapper);
 
+namespace
+{
+template <typename Own, typename Value>
+void SetValue(vtkObject* mapper, Own& own, Value value)
+{
+  if (own != value)
+  {
+    own = value;
+    mapper->Modified();
+  }
+}
+}
+
 vtkShadowedSliceMapper::vtkShadowedSliceMapper()
   : Peels(std::make_unique<vtkDepthPeels>())
-  , Renderer(std::make_unique<interlume::SliceRenderer>())
+  , Image(std::make_unique<interlume::VolumeImage>())
 {
 }
 
@@ -41,58 +53,32 @@ int vtkShadowedSliceMapper::FillInputPortInformation(int port, vtkInformation* i
 
 void vtkShadowedSliceMapper::SetLightBufferSize(int size)
 {
-  const int clamped = size <= 0 ? 0 : std::min(std::max(size, 16), 8192);
-  if (clamped != this->LightBufferSize)
-  {
-    this->LightBufferSize = clamped;
-    this->Modified();
-  }
+  SetValue(this, this->LightBufferSize, size <= 0 ? 0 : std::clamp(size, 16, 8192));
 }
 
 void vtkShadowedSliceMapper::SetTransmissionColor(vtkColorTransferFunction* function)
 {
-  if (function != this->TransmissionColor)
-  {
-    this->TransmissionColor = function;
-    this->Modified();
-  }
+  SetValue(this, this->TransmissionColor, function);
 }
 
 void vtkShadowedSliceMapper::SetScatteringAlbedo(vtkColorTransferFunction* function)
 {
-  if (function != this->ScatteringAlbedo)
-  {
-    this->ScatteringAlbedo = function;
-    this->Modified();
-  }
+  SetValue(this, this->ScatteringAlbedo, function);
 }
 
 void vtkShadowedSliceMapper::SetPhaseTable(vtkPiecewiseFunction* function)
 {
-  if (function != this->PhaseTable)
-  {
-    this->PhaseTable = function;
-    this->Modified();
-  }
+  SetValue(this, this->PhaseTable, function);
 }
 
 void vtkShadowedSliceMapper::SetMatter(vtkSliceMatter* matter)
 {
-  if (matter != this->Matter)
-  {
-    this->Matter = matter;
-    this->Modified();
-  }
+  SetValue(this, this->Matter, matter);
 }
 
 void vtkShadowedSliceMapper::SetScatteringGridSize(int size)
 {
-  const int clamped = size <= 0 ? 0 : std::min(std::max(size, 4), 128);
-  if (clamped != this->ScatteringGridSize)
-  {
-    this->ScatteringGridSize = clamped;
-    this->Modified();
-  }
+  SetValue(this, this->ScatteringGridSize, size <= 0 ? 0 : std::clamp(size, 4, 128));
 }
 
 vtkMTimeType vtkShadowedSliceMapper::GetMTime()
@@ -140,76 +126,24 @@ void vtkShadowedSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     vtkWarningMacro(<< "UseDepthPeelingForVolumes is not supported: the volume is drawn over "
                        "translucent polygons, as without it");
   }
-  if (this->Scene && this->Scene->Show)
+  if (!this->Image->IsInScene())
   {
-    this->Scene->Show();
-    return;
+    this->UpdateImage(renderer, volume).Draw(renderer, nullptr);
   }
-  if (this->Scene)
+  if (this->Image->HasContents())
   {
-    this->ShowAhead(renderer);
-    return;
+    this->Image->Show(renderer);
+    this->TimeToDraw = this->RenderReport.Seconds;
+    this->ReportFaults();
   }
-  this->Draw(renderer, volume, nullptr);
 }
 
-void vtkShadowedSliceMapper::DrawAhead(
-  vtkRenderer* renderer, vtkVolume* volume, interlume::SliceScene* scene)
-{
-  this->Draw(renderer, volume, scene);
-  this->Scene = scene;
-}
-
-void vtkShadowedSliceMapper::ShowAhead(vtkRenderer* renderer)
-{
-  if (this->Group)
-  {
-    this->Group->Show(renderer);
-    return;
-  }
-  this->Renderer->ShowLast(renderer);
-}
-
-void vtkShadowedSliceMapper::Join(
-  vtkRenderer* renderer, vtkVolume* volume, interlume::SliceGroup* group)
-{
-  this->Draw(renderer, volume, nullptr, group);
-}
-
-bool vtkShadowedSliceMapper::TakeShare(
-  const std::shared_ptr<interlume::SliceGroup>& group, interlume::SliceScene* scene)
-{
-  const interlume::SliceGroup::Share* share = group->Find(this->Renderer.get());
-  if (!share)
-  {
-    return false;
-  }
-  this->Group = group;
-  this->Scene = scene;
-  this->RenderReport = share->Report;
-  this->TimeToDraw = this->RenderReport.Seconds;
-  auto* image = vtkImageData::SafeDownCast(this->GetInput());
-  vtkDataArray* scalars = nullptr;
-  bool isOfCells = false;
-  this->ReportFaults(image, scalars, this->FindScalars(image, scalars, isOfCells), share->Warnings);
-  return true;
-}
-
-void vtkShadowedSliceMapper::Draw(vtkRenderer* renderer, vtkVolume* volume,
-  interlume::SliceScene* scene, interlume::SliceGroup* group)
+interlume::VolumeImage& vtkShadowedSliceMapper::UpdateImage(
+  vtkRenderer* renderer, vtkVolume* volume)
 {
   auto* image = vtkImageData::SafeDownCast(this->GetInput());
-  int width = 0;
-  int height = 0;
-  int left = 0;
-  int bottom = 0;
-  renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
-  this->RenderReport = vtkShadowedSliceReport();
-  if (!image || image->GetNumberOfPoints() == 0 || width <= 0 || height <= 0)
-  {
-    return;
-  }
-  interlume::SliceRenderer::Request request;
+  interlume::VolumeResources::Request request;
+  request.Volume = volume;
   request.Image = image;
   request.Settings = *this;
   request.Matter = this->Matter;
@@ -217,42 +151,34 @@ void vtkShadowedSliceMapper::Draw(vtkRenderer* renderer, vtkVolume* volume,
   request.Cuts.IsCropped = this->Cropping != 0;
   std::copy_n(this->CroppingRegionPlanes, 6, request.Cuts.CroppingPlanes.begin());
   request.Cuts.CroppingFlags = this->CroppingRegionFlags;
-  request.Scene = scene;
-  std::vector<std::string> warnings;
-  std::string error = this->BlendMode == COMPOSITE_BLEND
-    ? this->FindScalars(image, request.Scalars, request.IsOfCells)
-    : std::string("blend modes other than composite are not supported");
-  if (group)
+  request.Report = &this->RenderReport;
+  int width = 0;
+  int height = 0;
+  int left = 0;
+  int bottom = 0;
+  renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+  std::string error;
+  if (image && image->GetNumberOfPoints() > 0 && width > 0 && height > 0)
   {
-    if (error.empty())
-    {
-      group->Add(this->Renderer.get(), volume, request);
-    }
-    return;
+    error = this->BlendMode == COMPOSITE_BLEND
+      ? this->FindScalars(image, request.Scalars, request.IsOfCells)
+      : std::string("blend modes other than composite are not supported");
   }
-  this->Group.reset();
-  if (error.empty())
-  {
-    error = this->Renderer->Render(renderer, volume, request, warnings, this->RenderReport);
-  }
-  else if (!scene)
-  {
-    this->Renderer->ShowLast(renderer);
-  }
-  this->TimeToDraw = this->RenderReport.Seconds;
-  this->ReportFaults(image, request.Scalars, error, warnings);
+  this->Image->Begin(request, error);
+  return *this->Image;
 }
 
-void vtkShadowedSliceMapper::ReportFaults(vtkImageData* image, vtkDataArray* scalars,
-  const std::string& error, const std::vector<std::string>& warnings)
+void vtkShadowedSliceMapper::ReportFaults()
 {
-  std::string text = error;
-  for (const std::string& warning : warnings)
+  const interlume::VolumeResources::Request& request = this->Image->GetRequest();
+  const interlume::VolumeResources::Result& result = this->Image->GetResult();
+  std::string text = result.Error;
+  for (const std::string& warning : result.Warnings)
   {
     text += (text.empty() ? "" : "; ") + warning;
   }
   // An error is given once for one state of the input and of the mapper, not for every picture.
-  const vtkMTimeType state = std::max(image->GetMTime(), this->GetMTime());
+  const vtkMTimeType state = std::max(request.Image->GetMTime(), this->GetMTime());
   if (!text.empty() && (state != this->ErrorTime || text != this->ErrorText))
   {
     if (this->Matter)
@@ -266,13 +192,14 @@ void vtkShadowedSliceMapper::ReportFaults(vtkImageData* image, vtkDataArray* sca
     this->ErrorTime = state;
     this->ErrorText = text;
   }
-  if (error.empty() && this->RenderReport.NonFiniteVoxels > 0 &&
-    scalars->GetMTime() != this->WarningTime)
+  if (result.Error.empty() && this->RenderReport.NonFiniteVoxels > 0 &&
+    request.Scalars->GetMTime() != this->WarningTime)
   {
-    const char* name = scalars->GetName() ? scalars->GetName() : "without a name";
-    vtkWarningMacro(<< "the array " << name << " has " << this->RenderReport.NonFiniteVoxels
+    const char* name = request.Scalars->GetName();
+    vtkWarningMacro(<< "the array " << (name ? name : "without a name") << " has "
+                    << this->RenderReport.NonFiniteVoxels
                     << " voxels with NaN or infinity, which are transparent");
-    this->WarningTime = scalars->GetMTime();
+    this->WarningTime = request.Scalars->GetMTime();
   }
 }
 
@@ -283,41 +210,35 @@ bool vtkShadowedSliceMapper::ReadLightBuffer(
   {
     return false;
   }
-  return this->Group ? this->Group->ReadLightBuffer(renderer, light, image)
-                     : this->Renderer->ReadLightBuffer(renderer, light, image);
+  return this->Image->ReadLightBuffer(renderer, light, image);
 }
 
 void vtkShadowedSliceMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Renderer->ReleaseGraphicsResources(window);
+  this->Image->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
 void vtkShadowedSliceMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Shadows: " << this->Shadows << "\n";
-  os << indent << "MaximumNumberOfShadows: " << this->MaximumNumberOfShadows << "\n";
-  os << indent << "SliceSpacing: " << this->SliceSpacing << "\n";
-  os << indent << "LightBufferSize: " << this->LightBufferSize << "\n";
-  os << indent << "LightLookup: " << this->LightLookup << "\n";
-  os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
-  os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << "\n";
-  os << indent << "SurfaceGradient: " << this->SurfaceGradient << "\n";
-  os << indent << "TwoSidedLighting: " << this->TwoSidedLighting << "\n";
-  os << indent << "SoftShadowMethod: " << this->SoftShadowMethod << "\n";
-  os << indent << "NumberOfLightSamples: " << this->NumberOfLightSamples << "\n";
-  os << indent << "TransmissionColor: " << this->TransmissionColor.Get() << "\n";
-  os << indent << "MultipleScattering: " << this->MultipleScattering << "\n";
-  os << indent << "ScatteringAlbedo: " << this->ScatteringAlbedo.Get() << "\n";
-  os << indent << "PhaseFunction: " << this->PhaseFunction << "\n";
-  os << indent << "Anisotropy: " << this->Anisotropy << "\n";
-  os << indent << "PhaseTable: " << this->PhaseTable.Get() << "\n";
-  os << indent << "ScatteringBrightness: " << this->ScatteringBrightness << "\n";
-  os << indent << "ForwardSpread: " << this->ForwardSpread << "\n";
-  os << indent << "BackwardLayers: " << this->BackwardLayers << "\n";
-  os << indent << "ScatteringGridSize: " << this->ScatteringGridSize << "\n";
-  os << indent << "MaximumTextureMemory: " << this->MaximumTextureMemory << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "Shadows", this->Shadows }, { "MaximumNumberOfShadows", this->MaximumNumberOfShadows },
+      { "SliceSpacing", this->SliceSpacing }, { "LightBufferSize", this->LightBufferSize },
+      { "LightLookup", this->LightLookup }, { "ImageSampleDistance", this->ImageSampleDistance },
+      { "AutoAdjustSampleDistances", this->AutoAdjustSampleDistances },
+      { "SurfaceGradient", this->SurfaceGradient }, { "TwoSidedLighting", this->TwoSidedLighting },
+      { "SoftShadowMethod", this->SoftShadowMethod },
+      { "NumberOfLightSamples", this->NumberOfLightSamples },
+      { "TransmissionColor", this->TransmissionColor.Get() },
+      { "MultipleScattering", this->MultipleScattering },
+      { "ScatteringAlbedo", this->ScatteringAlbedo.Get() },
+      { "PhaseFunction", this->PhaseFunction }, { "Anisotropy", this->Anisotropy },
+      { "PhaseTable", this->PhaseTable.Get() },
+      { "ScatteringBrightness", this->ScatteringBrightness },
+      { "ForwardSpread", this->ForwardSpread }, { "BackwardLayers", this->BackwardLayers },
+      { "ScatteringGridSize", this->ScatteringGridSize },
+      { "MaximumTextureMemory", this->MaximumTextureMemory } });
   os << indent << "Report:\n";
   this->RenderReport.Print(os, indent.GetNextIndent());
 }

@@ -7,9 +7,8 @@
 #include "vtkShadowedSliceSettings.h" // for what is set
 #include "vtkVolumeMapper.h"
 
-#include <memory> // for what is kept from picture to picture
+#include <memory> // for the image
 #include <string> // for errors
-#include <vector> // for warnings
 
 class vtkColorTransferFunction;
 class vtkDataArray;
@@ -21,9 +20,7 @@ class vtkSliceMatter;
 
 namespace interlume
 {
-class SliceGroup;
-class SliceRenderer;
-struct SliceScene;
+class VolumeImage;
 }
 
 /**
@@ -105,12 +102,12 @@ struct SliceScene;
  * matter, whose penumbra is a few texels wide, is as sharp as for other lights, and layers need
  * half the buffer's columns and rows. A penumbra is that of the samples, in steps of one over their
  * number, up to two texels, and converges as samples, buffer and slices are refined: behind a half
- * plane, dZ / Z 0.05 to 5, its width is off by 4 % or less with 16 samples in buffers of 128^2 and by
- * 3 % with 32 in 256^2, and the profile by 0.035 and 0.015 at most. Penumbras of few texels are too
- * wide: by 7 % or less from 6 to 12 texels, by 15 % at 4 and by 40 % at 3. Wide penumbras of sharp
- * edges want 16 to 24 samples, since fewer show as steps. An automatic buffer has 96 columns at least, and up to one and a half
- * times those of other lights where the picture has two pixels to each. Beside the buffer it takes
- * three of its size and a quarter of one for each sample.
+ * plane, dZ / Z 0.05 to 5, its width is off by 4 % or less with 16 samples in buffers of 128^2 and
+ * by 3 % with 32 in 256^2, and the profile by 0.035 and 0.015 at most. Penumbras of few texels are
+ * too wide: by 7 % or less from 6 to 12 texels, by 15 % at 4 and by 40 % at 3. Wide penumbras of
+ * sharp edges want 16 to 24 samples, since fewer show as steps. An automatic buffer has 96 columns
+ * at least, and up to one and a half times those of other lights where the picture has two pixels
+ * to each. Beside the buffer it takes three of its size and a quarter of one for each sample.
  * - ACCUMULATED_CONVOLUTION: the buffer is convolved with boxes as light goes through the slices
  * (dissertation, 2.4; the virtual light of 2.14, widths below two texels are accumulated). It has
  * neither the emitter's shape nor its image, and its penumbrae shrink as slices and buffers get
@@ -498,6 +495,12 @@ public:
   bool ReadLightBuffer(vtkRenderer* renderer, vtkLight* light, vtkImageData* image);
 
   /**
+   * For internal use by vtkShadowedScenePass: begins an image of the volume, which Render shows if
+   * the pass has rendered it by then.
+   */
+  interlume::VolumeImage& UpdateImage(vtkRenderer* renderer, vtkVolume* volume);
+
+  /**
    * WARNING: for the renderer only.
    */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
@@ -515,36 +518,16 @@ private:
   vtkShadowedSliceMapper(const vtkShadowedSliceMapper&) = delete;
   void operator=(const vtkShadowedSliceMapper&) = delete;
 
-  friend class vtkShadowedScenePass;
-  /// Draws the picture ahead as a part of \a scene. Render shows it until EndScene.
-  void DrawAhead(vtkRenderer* renderer, vtkVolume* volume, interlume::SliceScene* scene);
-  /// Adds the volume to those that \a group draws, where there is something to draw.
-  void Join(vtkRenderer* renderer, vtkVolume* volume, interlume::SliceGroup* group);
-  /// Takes the volume's share of what \a group has drawn ahead for \a scene, which Render shows
-  /// until EndScene. Returns false where the group has not drawn it.
-  bool TakeShare(const std::shared_ptr<interlume::SliceGroup>& group, interlume::SliceScene* scene);
-  void EndScene() { this->Scene = nullptr; }
-  /// Lays the picture that was drawn ahead over the framebuffer that is bound.
-  void ShowAhead(vtkRenderer* renderer);
-  /// Draws the picture, or adds it to a group.
-  void Draw(vtkRenderer* renderer, vtkVolume* volume, interlume::SliceScene* scene,
-    interlume::SliceGroup* group = nullptr);
-
   std::string FindScalars(vtkImageData* image, vtkDataArray*& scalars, bool& isOfCells);
-  void ReportFaults(vtkImageData* image, vtkDataArray* scalars, const std::string& error,
-    const std::vector<std::string>& warnings);
+  void ReportFaults();
 
   vtkShadowedSliceReport RenderReport;
   vtkMTimeType ErrorTime = 0;
   std::string ErrorText;
   vtkMTimeType WarningTime = 0;
   vtkSliceMatter* Matter = nullptr;
-  /// The scene that the picture was drawn ahead for.
-  interlume::SliceScene* Scene = nullptr;
   std::unique_ptr<vtkDepthPeels> Peels;
-  std::unique_ptr<interlume::SliceRenderer> Renderer;
-  /// What drew the last picture, with other volumes; null where the mapper did by itself.
-  std::shared_ptr<interlume::SliceGroup> Group;
+  std::unique_ptr<interlume::VolumeImage> Image;
 };
 
 #endif

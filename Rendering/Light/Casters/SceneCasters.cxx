@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casters/SceneCasters.h"
 
-#include "Space/MatrixUniform.h"
+#include "Space/ShaderUniforms.h"
 
 #include "InterlumeSceneCasters.h"
 #include "InterlumeSceneDepths.h"
 #include "InterlumeSceneEmitters.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkShaderProgram.h"
 #include "vtkShadowedSceneReport.h"
 #include "vtkTextureObject.h"
 
@@ -22,14 +21,6 @@ namespace
 {
 /// The most columns and rows of all maps of samples together, 256 MiB.
 constexpr int LARGEST_EMITTER_MAPS = 8192;
-
-template <class Vector>
-void Append(std::vector<float>& values, const Vector& vector)
-{
-  const auto* components = glm::value_ptr(vector);
-  std::transform(components, components + vector.length(), std::back_inserter(values),
-    [](double value) { return static_cast<float>(value); });
-}
 }
 
 void SceneCasters::Fit(const std::vector<LightSource>& lights, const UnitSpace& space,
@@ -156,59 +147,50 @@ void SceneCasters::SetUniforms(vtkShaderProgram* program, const glm::dmat4& worl
 void SceneCasters::SetEmitterUniforms(
   vtkShaderProgram* program, const glm::dmat4& worldFromPlace) const
 {
-  MatrixUniform::Set(program, "emitterFromPlace", this->Space.GetUnitFromWorld() * worldFromPlace);
-  if (program->IsUniformUsed("placeFromEmitter"))
-  {
-    MatrixUniform::Set(
-      program, "placeFromEmitter", glm::inverse(worldFromPlace) * this->Space.GetWorldFromUnit());
-  }
-  std::vector<float> lights;
+  const ShaderUniforms uniforms(program);
+  uniforms.Set("emitterFromPlace", this->Space.GetUnitFromWorld() * worldFromPlace);
+  uniforms.Set("placeFromEmitter", glm::inverse(worldFromPlace) * this->Space.GetWorldFromUnit());
+  std::vector<glm::vec4> lights;
   for (const EmitterViews::Light& light : this->Emitters.GetLights())
   {
-    Append(lights, glm::dvec4(light.Place, light.IsPositional ? 1.0 : 0.0));
-    Append(lights, glm::dvec4(light.Depth, light.FirstView, 0.0));
-    Append(lights, glm::dvec4(light.FirstSample, light.Samples, light.FirstSide, light.Sides));
+    lights.emplace_back(glm::dvec4(light.Place, light.IsPositional ? 1.0 : 0.0));
+    lights.emplace_back(glm::dvec4(light.Depth, light.FirstView, 0.0));
+    lights.emplace_back(light.FirstSample, light.Samples, light.FirstSide, light.Sides);
     for (const glm::dvec3& axis : light.Stratum)
     {
-      Append(lights, glm::dvec4(axis, 0.0));
+      lights.emplace_back(glm::dvec4(axis, 0.0));
     }
   }
-  std::vector<float> sides;
+  std::vector<glm::vec3> sides;
   for (const CasterView::Axes& side : this->Emitters.GetSides())
   {
-    Append(sides, side.Right);
-    Append(sides, side.Up);
-    Append(sides, side.Along);
+    sides.insert(sides.end(), { glm::vec3(side.Right), glm::vec3(side.Up), glm::vec3(side.Along) });
   }
-  std::vector<float> samples;
+  std::vector<glm::vec4> samples;
   for (const EmitterViews::Sample& sample : this->Emitters.GetSamples())
   {
-    Append(samples, glm::dvec4(sample.Offset, 0.0));
-    Append(samples, glm::dvec4(sample.Scale, sample.Middle));
-    Append(samples, glm::dvec4(sample.Weight, 0.0));
+    samples.emplace_back(glm::dvec4(sample.Offset, 0.0));
+    samples.emplace_back(glm::dvec4(sample.Scale, sample.Middle));
+    samples.emplace_back(glm::dvec4(sample.Weight, 0.0));
   }
-  program->SetUniformi("emitterDepths", this->EmitterMaps.GetTexture()->GetTextureUnit());
-  program->SetUniform4fv("emitters", static_cast<int>(lights.size() / 4), lights.data());
-  program->SetUniform3fv("emitterSides", static_cast<int>(sides.size() / 3), sides.data());
-  program->SetUniform4fv("emitterSamples", static_cast<int>(samples.size() / 4), samples.data());
+  uniforms.Set("emitterDepths", this->EmitterMaps.GetTexture()->GetTextureUnit());
+  uniforms.Set("emitters", lights);
+  uniforms.Set("emitterSides", sides);
+  uniforms.Set("emitterSamples", samples);
   this->AddBias(program, 0.0);
 }
 
 void SceneCasters::ClearUniforms(vtkShaderProgram* program) const
 {
-  if (program->IsUniformUsed("emitters"))
-  {
-    const std::vector<float> none(20 * this->Emitters.GetLights().size(), 0.0F);
-    program->SetUniform4fv("emitters", static_cast<int>(none.size() / 4), none.data());
-  }
+  ShaderUniforms(program).Set(
+    "emitters", std::vector<glm::vec4>(5 * this->Emitters.GetLights().size(), glm::vec4(0.0F)));
 }
 
 void SceneCasters::AddBias(vtkShaderProgram* program, double texels) const
 {
   const ViewTiles& maps = this->EmitterMaps.GetTiles();
-  const std::array<float, 3> tiles{ { static_cast<float>(maps.GetColumns()),
-    static_cast<float>(maps.GetResolution()), static_cast<float>(maps.GetBias() + texels) } };
-  program->SetUniform3f("emitterTiles", tiles.data());
+  ShaderUniforms(program).Set(
+    "emitterTiles", glm::dvec3(maps.GetColumns(), maps.GetResolution(), maps.GetBias() + texels));
 }
 
 std::vector<std::pair<const char*, vtkTextureObject*>> SceneCasters::GetTextures() const

@@ -1,28 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casters/ViewTiles.h"
 
+#include "Space/ShaderUniforms.h"
+
 #include "vtkProp.h"
-#include "vtkShaderProgram.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdint>
 
-#include <glm/gtc/type_ptr.hpp>
-
 namespace interlume
 {
-
-namespace
-{
-// Appends a matrix in single precision.
-void Add(std::vector<float>& values, const glm::dmat4& matrix)
-{
-  const glm::mat4 rounded(matrix);
-  values.insert(values.end(), glm::value_ptr(rounded), glm::value_ptr(rounded) + 16);
-}
-}
 
 void ViewTiles::Set(const std::vector<CasterView>& views, int resolution, double bias)
 {
@@ -70,38 +59,27 @@ std::vector<double> ViewTiles::GetState(const std::vector<vtkProp*>& props) cons
 void ViewTiles::SetUniforms(
   vtkShaderProgram* program, const std::string& name, const glm::dmat4& worldFromPlace) const
 {
-  std::vector<float> clips;
-  std::vector<float> inverses;
-  std::vector<float> tiles;
-  std::vector<float> depths;
+  std::vector<glm::mat4> clips;
+  std::vector<glm::mat4> inverses;
+  std::vector<glm::vec4> tiles;
+  std::vector<glm::vec2> depths;
   for (std::size_t i = 0; i < this->Views.size(); ++i)
   {
     const CasterView& view = this->Views[i];
     const glm::dmat4 clip = view.ClipFromWorld * worldFromPlace;
-    Add(clips, clip);
-    Add(inverses, glm::inverse(clip));
+    clips.emplace_back(clip);
+    inverses.emplace_back(glm::inverse(clip));
     const std::array<int, 4> tile = this->GetTile(i);
-    tiles.insert(tiles.end(),
-      { static_cast<float>(tile[0]), static_cast<float>(tile[1]),
-        static_cast<float>(this->Resolution), static_cast<float>(this->Bias) });
-    depths.insert(depths.end(),
-      { static_cast<float>(view.TexelDepth[0]), static_cast<float>(view.TexelDepth[1]) });
+    tiles.emplace_back(tile[0], tile[1], this->Resolution, this->Bias);
+    depths.emplace_back(view.TexelDepth[0], view.TexelDepth[1]);
   }
   std::string capital = name;
   capital[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-  const std::string inverse = "placeFrom" + capital;
-  const std::string texels = name + "Texels";
-  const int count = static_cast<int>(this->Views.size());
-  program->SetUniformMatrix4x4v((name + "FromPlace").c_str(), count, clips.data());
-  program->SetUniform4fv((name + "Tiles").c_str(), count, tiles.data());
-  if (program->IsUniformUsed(inverse.c_str()))
-  {
-    program->SetUniformMatrix4x4v(inverse.c_str(), count, inverses.data());
-  }
-  if (program->IsUniformUsed(texels.c_str()))
-  {
-    program->SetUniform2fv(texels.c_str(), count, depths.data());
-  }
+  const ShaderUniforms uniforms(program);
+  uniforms.Set(name + "FromPlace", clips);
+  uniforms.Set(name + "Tiles", tiles);
+  uniforms.Set("placeFrom" + capital, inverses);
+  uniforms.Set(name + "Texels", depths);
 }
 
 }

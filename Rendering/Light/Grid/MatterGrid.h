@@ -49,7 +49,7 @@ public:
     const MaterialTable& Material;
     const UnitSpace& Space;
     const ClipRegion& Region;
-    /// See SliceFrame.
+    /// See VolumeRenderState.
     glm::dvec3 GradientSteps;
     /// Of each row.
     std::array<double, 4> UnitDistances;

@@ -2,12 +2,11 @@
 #include "Receivers/SceneFields.h"
 
 #include "Common/Vectors.h"
-#include "Space/MatrixUniform.h"
+#include "Space/ShaderUniforms.h"
 #include "Space/UnitVector.h"
 
 #include "InterlumeSceneField.h"
 #include "vtkLight.h"
-#include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
 #include <array>
@@ -83,25 +82,19 @@ void SceneFields::SetUniforms(
   for (std::size_t i = 0; i < this->Fields.size(); ++i)
   {
     const ScatteredField& field = this->Fields[i];
-    const std::string number = std::to_string(i);
-    if (!program->IsUniformUsed(("sceneField" + number).c_str()))
+    if (!program->IsUniformUsed(("sceneField" + std::to_string(i)).c_str()))
     {
       continue;
     }
+    const ShaderUniforms uniforms(program, std::to_string(i));
     const bool isHere = isLit && field.Texture;
-    program->SetUniformi(
-      ("sceneField" + number).c_str(), isHere ? field.Texture->GetTextureUnit() : noUnit);
-    const auto maps = static_cast<float>(2 + field.Lights.size());
-    const glm::vec3 nodes(field.Nodes);
-    const std::array<float, 4> size{ { nodes.x, nodes.y, nodes.z,
-      isHere ? nodes.z * maps : 0.0F } };
-    program->SetUniform4f(("sceneNodes" + number).c_str(), size.data());
-    program->SetUniformf(("sceneAhead" + number).c_str(), field.BlockedCells > 0 ? 1.5F : 0.0F);
-    MatrixUniform::Set(program, "sceneNodeFromView" + number, field.NodeFromWorld * worldFromView);
-    if (program->IsUniformUsed(("sceneWorldFromView" + number).c_str()))
-    {
-      MatrixUniform::Set(program, "sceneWorldFromView" + number, worldFromView);
-    }
+    const std::size_t maps = 2 + field.Lights.size();
+    const glm::dvec3 nodes(field.Nodes);
+    uniforms.Set("sceneField", isHere ? field.Texture->GetTextureUnit() : noUnit);
+    uniforms.Set("sceneNodes", glm::dvec4(nodes, isHere ? nodes.z * maps : 0.0));
+    uniforms.Set("sceneAhead", field.BlockedCells > 0 ? 1.5 : 0.0);
+    uniforms.Set("sceneNodeFromView", field.NodeFromWorld * worldFromView);
+    uniforms.Set("sceneWorldFromView", worldFromView);
     std::vector<glm::vec4> lights;
     for (vtkLight* light : isHere ? field.Lights : std::vector<vtkLight*>())
     {
@@ -111,11 +104,9 @@ void SceneFields::SetUniforms(
       lights.emplace_back(
         viewFromWorld * (isPlace ? glm::dvec4(position, 1.0) : glm::dvec4(position - focus, 0.0)));
     }
-    const std::string name = "sceneFieldLights" + number;
-    if (!lights.empty() && program->IsUniformUsed(name.c_str()))
+    if (!lights.empty())
     {
-      program->SetUniform4fv(name.c_str(), static_cast<int>(lights.size()),
-        reinterpret_cast<const float(*)[4]>(lights.data()));
+      uniforms.Set("sceneFieldLights", lights);
     }
   }
 }

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Receivers/SceneScreens.h"
 
-#include "Space/MatrixUniform.h"
+#include "Space/ShaderUniforms.h"
 #include "Space/UnitSpace.h"
 
 #include "InterlumeLightScreen.h"
 #include "vtkAreaLight.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProjectiveLight.h"
-#include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
@@ -107,32 +106,19 @@ std::string SceneScreens::GetFactor(vtkLight* light) const
 void SceneScreens::SetUniforms(
   vtkShaderProgram* program, const glm::dmat4& worldFromView, vtkTextureObject* placeholder) const
 {
-  const auto isUsed = [program](const std::string& name)
-  { return program->IsUniformUsed(name.c_str()); };
   for (std::size_t i = 0; i < this->Images.size(); ++i)
   {
     const Image& image = this->Images[i];
-    const std::string number = std::to_string(i);
-    if (isUsed("sceneEmitter" + number))
+    const ShaderUniforms uniforms(program, std::to_string(i));
+    uniforms.Set("sceneEmitter", image.Color);
+    uniforms.Set("sceneScreenFromView", image.ScreenFromWorld * worldFromView);
+    if (vtkProjectiveLight* light = image.Source.Projective)
     {
-      program->SetUniform3f(("sceneEmitter" + number).c_str(), glm::value_ptr(image.Color));
+      uniforms.Set("sceneScreen", glm::dvec2(light->GetEdgeWidth(), light->GetScreenOpacity()));
     }
-    if (isUsed("sceneScreenFromView" + number))
+    if (image.Texture)
     {
-      MatrixUniform::Set(
-        program, "sceneScreenFromView" + number, image.ScreenFromWorld * worldFromView);
-    }
-    if (isUsed("sceneScreen" + number))
-    {
-      vtkProjectiveLight* light = image.Source.Projective;
-      const std::array<float, 2> screen{ { static_cast<float>(light->GetEdgeWidth()),
-        static_cast<float>(light->GetScreenOpacity()) } };
-      program->SetUniform2f(("sceneScreen" + number).c_str(), screen.data());
-    }
-    if (image.Texture && isUsed("sceneImage" + number))
-    {
-      vtkTextureObject* texture = placeholder ? placeholder : image.Texture;
-      program->SetUniformi(("sceneImage" + number).c_str(), texture->GetTextureUnit());
+      uniforms.Set("sceneImage", (placeholder ? placeholder : image.Texture)->GetTextureUnit());
     }
   }
 }

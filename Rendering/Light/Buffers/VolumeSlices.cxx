@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Buffers/VolumeSlices.h"
+
+#include "Shaders/VolumeRenderState.h"
+#include "Shaders/SliceShader.h"
+#include "Shaders/SliceTextures.h"
+#include "Loader/OpenGLFunctions.h"
+
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+namespace interlume
+{
+
+namespace
+{
+// The least cosine of rays of eye and light with a slice's normal for which blocks at the edge of
+// the volume are enlarged.
+constexpr double LEAST_COSINE = 0.35;
+}
+
+VolumeSlices::VolumeSlices() = default;
+
+VolumeSlices::~VolumeSlices() = default;
+
+void VolumeSlices::Set(const VolumeRenderState& frame, SliceTextures& textures)
+{
+  this->Frame = &frame;
+  this->Textures = &textures;
+}
+
+double VolumeSlices::GetMargin(const SlicePlan::Sweep& sweep)
+{
+  return 0.5 * sweep.Spacing / LEAST_COSINE;
+}
+
+vtkIdType VolumeSlices::Cut(const SlicePlan::Sweep& sweep)
+{
+  const VolumeRenderState& frame = *this->Frame;
+  this->Polygons.Build(sweep, frame.Blocks, frame.Space, frame.Region.Box, GetMargin(sweep));
+  const std::vector<float>& vertices = this->Polygons.GetVertices();
+  this->HasTiles = false;
+  if (vertices.empty())
+  {
+    return 0;
+  }
+  this->Vertices->Upload(vertices, vtkOpenGLBufferObject::ArrayBuffer);
+  std::size_t coordinates = vertices.size();
+  if (frame.HasTiles() && !frame.Image->NearPlane.IsCutting &&
+    this->Tiles.Build(sweep, frame.Image->Eye.ClipFromUnit, frame.Image->Size, frame.SmallBlocks,
+      frame.Space, frame.Region.Box, GetMargin(sweep)))
+  {
+    this->HasTiles = true;
+    coordinates += this->Tiles.GetVertices().size();
+    if (!this->Tiles.GetVertices().empty())
+    {
+      this->TileVertices->Upload(this->Tiles.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
+    }
+  }
+  return static_cast<vtkIdType>(sizeof(float)) * static_cast<vtkIdType>(coordinates);
+}
+
+const SlabTriangles& VolumeSlices::GetSeen() const
+{
+  return this->HasTiles ? static_cast<const SlabTriangles&>(this->Tiles) : this->Polygons;
+}
+
+std::string VolumeSlices::Prepare(vtkOpenGLRenderWindow* window, std::size_t sweep, bool isOccluded,
+  bool isMarked, const std::function<void(vtkShaderProgram*)>& activate)
+{
+  this->Programs.clear();
+  this->IsThick = false;
+  if (this->IsEmpty())
+  {
+    return {};
+  }
+  this->IsThick = SliceShader::HasThickPart(*this->Frame, sweep);
+  const bool isProbed = SliceShader::HasEmptyPart(*this->Frame, sweep);
+  this->IsSplit = this->IsThick || isProbed;
+  this->IsThin = !isProbed && SliceShader::HasThinPart(*this->Frame, sweep);
+  this->IsMarked = isMarked;
+  const bool hasTileVertices = this->HasTiles && !this->Tiles.GetVertices().empty();
+  const auto prepare = [&](SlicePass& pass, SliceShader::Parts part)
+  {
+    const std::string source = SliceShader::GetEyeSource(*this->Frame, sweep, isOccluded, part);
+    std::string error =
+      pass.Prepare(window, source, hasTileVertices ? this->TileVertices : this->Vertices, isMarked);
+    if (error.empty())
+    {
+      activate(pass.GetProgram());
+      this->Add(pass.GetProgram());
+      SliceShader::SetEyeUniforms(pass.GetProgram(), *this->Frame, sweep);
+    }
+    return error;
+  };
+  std::string error = prepare(this->Eye,
+    !this->IsSplit   ? SliceShader::ALL
+      : this->IsThin ? SliceShader::THIN
+                     : SliceShader::EMPTY);
+  if (error.empty() && this->IsSplit)
+  {
+    error = prepare(this->SecondEye, this->IsThick ? SliceShader::THICK : SliceShader::ALL);
+  }
+  return error;
+}
+
+void VolumeSlices::Add(vtkShaderProgram* program)
+{
+  this->Textures->Activate(program);
+  this->Programs.push_back(program);
+}
+
+void VolumeSlices::Draw(
+  vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep, int slab, int number, int volumes)
+{
+  vtkOpenGLState* state = window->GetState();
+  if (sweep.IsFrontToBack)
+  {
+    state->vtkglBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+  }
+  else
+  {
+    state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  }
+  if (sweep.IsFrontToBack || this->IsMarked)
+  {
+    state->vtkglEnable(GL_DEPTH_TEST);
+  }
+  // A part of a slab may lie between the planes of the camera while its middle does not.
+  glEnable(GL_DEPTH_CLAMP);
+  const std::vector<std::size_t>& starts = this->GetSeen().GetStarts();
+  const double entrance = sweep.First + slab * sweep.Spacing;
+  if (this->IsSplit)
+  {
+    // The first pass does not mark the fragments that it leaves out by their depth, and the second
+    // pass draws these alone.
+    state->vtkglDepthMask(GL_TRUE);
+    const GLboolean hasColor = this->IsThin ? GL_TRUE : GL_FALSE;
+    state->vtkglColorMask(hasColor, hasColor, hasColor, hasColor);
+    this->Eye.Draw(window, starts, slab, entrance, number, volumes);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    state->vtkglDepthMask(GL_FALSE);
+    this->SecondEye.Draw(window, starts, slab, entrance, number, volumes);
+  }
+  else
+  {
+    this->Eye.Draw(window, starts, slab, entrance, number, volumes);
+  }
+  glDisable(GL_DEPTH_CLAMP);
+  state->vtkglDisable(GL_DEPTH_TEST);
+}
+
+void VolumeSlices::Resume(vtkOpenGLRenderWindow* window)
+{
+  if (this->Textures->Resume())
+  {
+    return;
+  }
+  for (vtkShaderProgram* program : this->Programs)
+  {
+    window->GetShaderCache()->ReadyShaderProgram(program);
+    this->Textures->Activate(program);
+  }
+}
+
+void VolumeSlices::Suspend()
+{
+  this->Textures->Suspend();
+}
+
+void VolumeSlices::End()
+{
+  this->Textures->Deactivate();
+  this->Programs.clear();
+}
+
+void VolumeSlices::ReleaseGraphicsResources()
+{
+  this->Eye.ReleaseGraphicsResources();
+  this->SecondEye.ReleaseGraphicsResources();
+  this->Vertices->ReleaseGraphicsResources();
+  this->TileVertices->ReleaseGraphicsResources();
+}
+
+}

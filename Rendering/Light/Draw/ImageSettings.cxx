@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Draw/ImageSettings.h"
+
+#include <algorithm>
+#include <array>
+
+namespace interlume
+{
+
+void ImageSettings::Add(const vtkShadowedSliceSettings& settings)
+{
+  using Settings = vtkShadowedSliceSettings;
+  this->HasShadows = this->HasShadows || settings.Shadows;
+  this->MaximumNumberOfShadows =
+    std::max(this->MaximumNumberOfShadows, settings.MaximumNumberOfShadows);
+  this->IsSmoothLookup = this->IsSmoothLookup || settings.LightLookup == Settings::BILINEAR_LIGHT;
+  this->ImageSampleDistance = std::min(this->ImageSampleDistance, settings.ImageSampleDistance);
+  this->AutoAdjustSampleDistances =
+    this->AutoAdjustSampleDistances && settings.AutoAdjustSampleDistances;
+  this->NumberOfLightSamples = std::max(this->NumberOfLightSamples, settings.NumberOfLightSamples);
+  // Layers, before convolution, before the hard shadows of sampled lights.
+  const std::array<int, 3> ranks{ { 1, 2, 0 } };
+  if (ranks[settings.SoftShadowMethod] > ranks[this->SoftShadowMethod])
+  {
+    this->SoftShadowMethod = settings.SoftShadowMethod;
+  }
+  this->LeastBufferSize = std::max(this->LeastBufferSize, settings.LightBufferSize);
+  this->LightBufferSize =
+    this->LightBufferSize > 0 && settings.LightBufferSize > 0 ? this->LeastBufferSize : 0;
+  if (settings.MaximumTextureMemory > 0)
+  {
+    this->MaximumTextureMemory = this->MaximumTextureMemory > 0
+      ? std::min(this->MaximumTextureMemory, settings.MaximumTextureMemory)
+      : settings.MaximumTextureMemory;
+  }
+  this->HasColoredLight = this->HasColoredLight || settings.TransmissionColor;
+}
+
+}

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Draw/ScatteringUpdater.h"
+
+#include "Common/Vectors.h"
+#include "Draw/SurfaceOcclusionGrid.h"
+#include "Shaders/VolumeRenderState.h"
+#include "Grid/FieldMaps.h"
+#include "Grid/GridLight.h"
+#include "Scattering/ScatteringSolver.h"
+
+#include "vtkAreaLight.h"
+#include "vtkMath.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkProjectiveLight.h"
+#include "vtkTimerLog.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace interlume
+{
+
+using Settings = vtkShadowedSliceSettings;
+
+namespace
+{
+// The cells along the longest edge where their number is automatic.
+constexpr int AutomaticCells = 32;
+// What no key is.
+const std::vector<double> NoKey{ -1.0 };
+// The samples of an area light that are enough for cells.
+constexpr int MostLightSamples = 16;
+
+// Returns the lights whose light is scattered on: those that matter takes from.
+std::vector<LightSource> FindLights(const VolumeRenderState& frame)
+{
+  std::vector<LightSource> lights;
+  for (const LightSource& light : frame.Image->Lights)
+  {
+    if (light.ShadowStrength > 0.0 && light.Diffuse != glm::dvec3(0.0))
+    {
+      lights.push_back(light);
+    }
+  }
+  return lights;
+}
+
+void Add(std::vector<double>& key, const double* values, std::size_t count)
+{
+  key.insert(key.end(), values, values + count);
+}
+
+void AddLight(std::vector<double>& key, const LightSource& light)
+{
+  key.insert(key.end(),
+    { light.IsPositional ? 1.0 : 0.0, light.ConeCosine, light.Exponent, light.ShadowStrength });
+  for (const glm::dvec3& v : { light.Position, light.Direction, light.Diffuse, light.Attenuation,
+         light.EmitterAxes[0], light.EmitterAxes[1] })
+  {
+    Add(key, glm::value_ptr(v), 3);
+  }
+  Add(key, glm::value_ptr(light.ScreenFromUnit), 16);
+  key.push_back(light.Projective ? static_cast<double>(light.Projective->GetMTime()) : 0.0);
+  key.push_back(light.Area ? static_cast<double>(light.Area->GetMTime()) : 0.0);
+}
+
+bool Scatters(const VolumeRenderState& frame)
+{
+  return frame.Scattering.Mode >= Settings::FORWARD_SCATTERING;
+}
+
+// What is known by its address.
+double GetAddress(const void* object)
+{
+  return static_cast<double>(reinterpret_cast<std::uintptr_t>(object));
+}
+
+void AddVolume(std::vector<double>& key, const ScatteringUpdater::Volume& volume)
+{
+  const VolumeRenderState& frame = *volume.State;
+  key.insert(key.end(),
+    { GetAddress(&frame), static_cast<double>(volume.Versions[0]),
+      static_cast<double>(volume.Versions[1]), static_cast<double>(volume.GridSize),
+      Scatters(frame) ? 1.0 : 0.0, frame.Space.Radius });
+  Add(key, glm::value_ptr(frame.Space.UnitFromTexture), 16);
+  Add(key, glm::value_ptr(frame.GradientSteps), 3);
+  const std::vector<double> regions = frame.Region.Regions.GetKey();
+  Add(key, regions.data(), regions.size());
+  for (const auto& range : frame.Region.Box)
+  {
+    Add(key, range.data(), 2);
+  }
+  for (const auto& plane : frame.Region.ClippingPlanes)
+  {
+    Add(key, plane.data(), 4);
+  }
+}
+
+// Returns all numbers that scattered light depends on but for the phase function.
+std::vector<double> MakeKey(const VolumeRenderState& frame,
+  const std::vector<ScatteringUpdater::Volume>& volumes, const std::vector<LightSource>& lights,
+  const Settings& settings, int lightSamples)
+{
+  std::vector<double> key{ static_cast<double>(settings.MultipleScattering), settings.ForwardSpread,
+    static_cast<double>(settings.BackwardLayers), static_cast<double>(lightSamples),
+    static_cast<double>(SurfaceOcclusionGrid::GetTime(frame.Image->Scene)),
+    static_cast<double>(volumes.size()) };
+  for (const ScatteringUpdater::Volume& volume : volumes)
+  {
+    AddVolume(key, volume);
+  }
+  for (const LightSource& light : lights)
+  {
+    // Maps of the field are known by their lights.
+    key.push_back(GetAddress(light.Light));
+    AddLight(key, light);
+  }
+  return key;
+}
+}
+
+std::string ScatteringUpdater::MakePhase(const Settings& settings, SliceScattering& scattering)
+{
+  this->Phase.SetIsotropic();
+  std::string error;
+  if (scattering.Kind == Settings::HENYEY_GREENSTEIN_PHASE)
+  {
+    error = this->Phase.SetHenyeyGreenstein(settings.Anisotropy);
+  }
+  else if (scattering.Kind == Settings::TABLE_PHASE)
+  {
+    std::vector<double> values(SliceScattering::PhaseColumns);
+    settings.PhaseTable->GetTable(-1.0, 1.0, SliceScattering::PhaseColumns, values.data());
+    error = this->Phase.SetTable(values);
+  }
+  scattering.Phases.clear();
+  for (int i = 0; error.empty() && scattering.Kind == Settings::TABLE_PHASE &&
+       i < SliceScattering::PhaseColumns;
+       ++i)
+  {
+    const double cosine = 2.0 * i / (SliceScattering::PhaseColumns - 1) - 1.0;
+    scattering.Phases.push_back(
+      static_cast<float>(4.0 * vtkMath::Pi() * this->Phase.Value(cosine)));
+  }
+  scattering.MeanCosine = this->Phase.Moment(1);
+  return error;
+}
+
+std::string ScatteringUpdater::SetPhase(const Settings& settings, SliceScattering& scattering)
+{
+  const bool isOn = settings.MultipleScattering != Settings::NO_SCATTERING;
+  // A table that is not set is isotropic.
+  const bool isTable = settings.PhaseFunction == Settings::TABLE_PHASE;
+  const int kind =
+    !isOn || (isTable && !settings.PhaseTable) ? Settings::ISOTROPIC_PHASE : settings.PhaseFunction;
+  const vtkMTimeType time = kind == Settings::TABLE_PHASE ? settings.PhaseTable->GetMTime() : 0;
+  scattering.Mode = settings.MultipleScattering;
+  scattering.Brightness = settings.ScatteringBrightness;
+  if (this->Mode == scattering.Mode && this->Kind == kind &&
+    this->Anisotropy == settings.Anisotropy && this->TableTime == time)
+  {
+    return {};
+  }
+  scattering.Kind = kind;
+  scattering.Anisotropy = settings.Anisotropy;
+  std::string error = this->MakePhase(settings, scattering);
+  ++this->Version;
+  this->Key = NoKey;
+  this->Mode = error.empty() ? scattering.Mode : Settings::NO_SCATTERING;
+  this->Kind = kind;
+  this->Anisotropy = settings.Anisotropy;
+  this->TableTime = time;
+  return error;
+}
+
+bool ScatteringUpdater::HasPhaseOf(const ScatteringUpdater& other) const
+{
+  return this->Kind == other.Kind && this->TableTime == other.TableTime &&
+    (this->Kind != Settings::HENYEY_GREENSTEIN_PHASE || this->Anisotropy == other.Anisotropy);
+}
+
+bool ScatteringUpdater::MakeGrid(const std::vector<Volume>& volumes)
+{
+  std::vector<double> key;
+  for (const Volume& volume : volumes)
+  {
+    AddVolume(key, volume);
+  }
+  if (key != this->GridKey)
+  {
+    std::vector<MatterGrid::Volume> media;
+    for (const Volume& volume : volumes)
+    {
+      const VolumeRenderState& own = *volume.State;
+      media.push_back({ own.Samples, own.Blocks, own.Material, own.Space, own.Region,
+        own.GradientSteps, own.UnitDistances,
+        volume.GridSize > 0 ? volume.GridSize : AutomaticCells, Scatters(own) });
+    }
+    this->HasGrid = this->Grid.Build(media);
+    this->GridKey = key;
+  }
+  // Surfaces are marked anew.
+  this->Grid.GetMedium().Blocked.clear();
+  return this->HasGrid;
+}
+
+std::string ScatteringUpdater::MakeField(vtkOpenGLRenderWindow* window, VolumeRenderState& frame,
+  const std::vector<Volume>& volumes, const Settings& settings, int lightSamples)
+{
+  SliceScattering& scattering = frame.Scattering;
+  scattering.Texels.clear();
+  scattering.ForwardLights.clear();
+  scattering.HasFluence = false;
+  this->Cells = 0;
+  this->BlockedCells = 0;
+  const std::vector<LightSource> lights = FindLights(frame);
+  if (!Scatters(frame))
+  {
+    this->Grid = MatterGrid();
+    this->GridKey = NoKey;
+    return {};
+  }
+  if (lights.empty() || !this->MakeGrid(volumes))
+  {
+    return {};
+  }
+  MatterGrid& grid = this->Grid;
+  grid.GetMedium().Phase = this->Phase;
+  std::vector<ScatteringLight> direct;
+  direct.reserve(lights.size());
+  for (const LightSource& light : lights)
+  {
+    direct.push_back(GridLight::Make(grid, light, lightSamples));
+  }
+  if (SurfaceOcclusionGrid::GetTime(frame.Image->Scene) > 0)
+  {
+    std::vector<std::vector<glm::vec3>> shares;
+    std::string fault = SurfaceOcclusionGrid::Make(
+      window, *frame.Image->Scene, grid, frame.Space.GetWorldFromUnit(), lights, shares);
+    if (!fault.empty())
+    {
+      return fault;
+    }
+    for (std::size_t i = 0; i < shares.size(); ++i)
+    {
+      for (std::size_t cell = 0; cell < shares[i].size(); ++cell)
+      {
+        direct[i].Direct[cell] *= shares[i][cell];
+      }
+    }
+    // Depth maps are sharper than cells, which stop scattered light alone.
+    SurfaceOcclusionGrid::Block(*frame.Image->Scene, frame.Space.GetWorldFromUnit(), grid);
+  }
+  ScatteringSettings asked;
+  asked.AngleVariance = settings.ForwardSpread > 0.0 ? settings.ForwardSpread : -1.0;
+  asked.BackwardLayers = settings.BackwardLayers;
+  const bool isFull = scattering.Mode == Settings::FULL_SCATTERING;
+  ScatteringField field;
+  ScatteringReport solved;
+  std::string error = ScatteringSolver::Solve(grid.GetMedium(), direct,
+    isFull ? ScatteringMode::Full : ScatteringMode::Forward, asked, field, solved);
+  if (!error.empty())
+  {
+    return error;
+  }
+  FieldMaps maps(grid, field);
+  scattering.Texels = std::move(maps.Texels);
+  scattering.Nodes = maps.Nodes;
+  scattering.HasFluence = !field.Fluence.empty();
+  scattering.NodeFromUnit = maps.NodeFromUnit;
+  for (std::size_t i = 0; i < field.Forward.size(); ++i)
+  {
+    scattering.ForwardLights.push_back(lights[i].Light);
+  }
+  const std::vector<unsigned char>& blocked = grid.GetMedium().Blocked;
+  this->Cells = static_cast<int>(grid.GetMedium().GetNumberOfCells());
+  this->BlockedCells = static_cast<int>(std::count(blocked.begin(), blocked.end(), 1));
+  return {};
+}
+
+std::string ScatteringUpdater::Solve(vtkOpenGLRenderWindow* window, VolumeRenderState& frame,
+  const std::vector<Volume>& volumes, const Settings& settings, int lightSamples,
+  const ScatteringUpdater* other, const SliceScattering* known)
+{
+  const double start = vtkTimerLog::GetUniversalTime();
+  const int samples = std::min(lightSamples, MostLightSamples);
+  const bool isAsked = Scatters(frame);
+  const std::vector<double> key =
+    isAsked ? MakeKey(frame, volumes, FindLights(frame), settings, samples) : std::vector<double>();
+  if (key == this->Key)
+  {
+    return {};
+  }
+  std::string error;
+  if (isAsked && other && other->Key == key && this->HasPhaseOf(*other))
+  {
+    frame.Scattering = *known;
+    frame.Scattering.Brightness = settings.ScatteringBrightness;
+    this->Cells = other->Cells;
+    this->BlockedCells = other->BlockedCells;
+  }
+  else
+  {
+    error = this->MakeField(window, frame, volumes, settings, samples);
+  }
+  ++this->Version;
+  this->Key = error.empty() ? key : NoKey;
+  this->Solves = isAsked ? this->Solves + (this->Cells > 0 ? 1 : 0) : 0;
+  this->Seconds = isAsked ? vtkTimerLog::GetUniversalTime() - start : 0.0;
+  return error;
+}
+
+void ScatteringUpdater::Fill(vtkShadowedSliceReport& report) const
+{
+  report.ScatteringSolves = this->Solves;
+  report.ScatteringSeconds = this->Seconds;
+  report.ScatteringCells = this->Cells;
+  report.ScatteringBlockedCells = this->BlockedCells;
+}
+
+}

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Draw/SlicePlanner.h"
+
+#include "Buffers/SliceLightBuffer.h"
+#include "Casters/SceneCasters.h"
+#include "Draw/ImageSettings.h"
+#include "Lights/EmitterSamples.h"
+#include "Loader/OpenGLFunctions.h"
+#include "Receivers/SliceScene.h"
+#include "Shaders/SliceShader.h"
+
+#include "vtkShadowedSliceSettings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace interlume
+{
+
+namespace
+{
+// The factors by which pictures may be coarser than asked for.
+constexpr std::array<double, 5> COARSENESSES{ { 1.0, 1.5, 2.0, 3.0, 4.0 } };
+// Columns of a light's buffer for each voxel where matter may have edges that voxels have not: the
+// columns show as stripes on them.
+constexpr double MATTER_TEXELS = 2.0;
+}
+
+void SlicePlanner::Make(ImageState& image, const States& states,
+  const std::vector<SlicePlan::Matter>& volumes, const ImageSettings& asked, double coarseness,
+  vtkShadowedSliceReport& report)
+{
+  SlicePlan::Settings settings;
+  settings.AutomaticFactor = AutomaticSpacing * coarseness;
+  settings.BufferSize = asked.LightBufferSize;
+  settings.PictureSize = std::min(image.Size[0], image.Size[1]);
+  settings.LeastBufferSize = asked.LeastBufferSize;
+  settings.TexelsOfVoxel = states[0]->Matter ? MATTER_TEXELS : 1.0;
+  GLint limit = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+  settings.LargestBufferSize = std::min(settings.LargestBufferSize, static_cast<int>(limit));
+  const auto isSoft = [](const LightSource& light)
+  { return light.Area != nullptr && light.ShadowStrength > 0.0; };
+  const std::size_t lights = image.Lights.size();
+  report.ShadowedLights = static_cast<int>(std::count_if(image.Lights.begin(), image.Lights.end(),
+    [](const LightSource& light) { return light.ShadowStrength > 0.0; }));
+  report.SoftLights =
+    static_cast<int>(std::count_if(image.Lights.begin(), image.Lights.end(), isSoft));
+
+  // Surfaces hide the samples of a light from layers of the same samples.
+  const int samples =
+    std::max(asked.NumberOfLightSamples, image.Scene ? image.Scene->Casters->GetLightSamples() : 0);
+  std::vector<int> sampled;
+  if (report.SoftLights > 0)
+  {
+    constexpr std::array<const char*, 3> names{ { "AccumulatedConvolution", "SampleLayers",
+      "SampledLights" } };
+    // A surface of a scene takes what is left of a light once: shares of lights that stand for
+    // samples would be multiplied, and layers of the same samples show the same.
+    const bool isOfLayers =
+      image.Scene != nullptr && asked.SoftShadowMethod == vtkShadowedSliceSettings::SAMPLED_LIGHTS;
+    const int method = isOfLayers ? static_cast<int>(vtkShadowedSliceSettings::SAMPLE_LAYERS)
+                                  : asked.SoftShadowMethod;
+    report.SoftShadowMethod = names[method];
+    settings.Samples = samples;
+    settings.SoftMethod = method == vtkShadowedSliceSettings::SAMPLE_LAYERS ? SlicePlan::LAYERS
+      : method == vtkShadowedSliceSettings::ACCUMULATED_CONVOLUTION         ? SlicePlan::CONVOLUTION
+                                                                            : SlicePlan::HARD;
+    for (std::size_t i = 0; i < lights && settings.SoftMethod == SlicePlan::HARD; ++i)
+    {
+      if (isSoft(image.Lights[i]))
+      {
+        sampled.push_back(static_cast<int>(i));
+      }
+    }
+  }
+  if (!sampled.empty())
+  {
+    image.Lights = EmitterSamples::Split(image.Lights, sampled, samples);
+    report.SampledLights = samples * static_cast<int>(sampled.size());
+  }
+  image.Plan.Make(image.Eye, image.Lights, volumes, settings);
+  const std::vector<int> hard = image.Plan.NotSoft;
+  report.HardLightsInstead = static_cast<int>(hard.size());
+  if (!hard.empty())
+  {
+    for (const int light : hard)
+    {
+      image.Lights[static_cast<std::size_t>(light)].Area = nullptr;
+    }
+    image.Plan.Make(image.Eye, image.Lights, volumes, settings);
+  }
+  report.Lights = states[0]->IsLit() ? static_cast<int>(lights) : 0;
+  report.Sweeps = static_cast<int>(image.Plan.Sweeps.size());
+  report.FrontToBackSweeps = static_cast<int>(std::count_if(image.Plan.Sweeps.begin(),
+    image.Plan.Sweeps.end(), [](const SlicePlan::Sweep& sweep) { return sweep.IsFrontToBack; }));
+  report.SliceSpacing = image.Plan.Sweeps[0].Spacing * states[0]->Space.Radius;
+}
+
+vtkIdType SlicePlanner::GetBufferBytes(const ImageState& image, const States& states)
+{
+  const vtkIdType pixels = static_cast<vtkIdType>(image.Size[0]) * image.Size[1];
+  vtkIdType bytes =
+    pixels * static_cast<vtkIdType>(sizeof(float)) * (image.Plan.HasFurtherPictures() ? 9 : 5);
+  for (std::size_t sweep = 0; sweep < image.Plan.Sweeps.size(); ++sweep)
+  {
+    // Thick matter needs two layers of each buffer.
+    const auto thick = static_cast<int>(std::count_if(states.begin(), states.end(),
+      [sweep](const VolumeRenderState* other)
+      { return SliceShader::HasThickPart(*other, sweep); }));
+    for (const SlicePlan::ShadowedLight& light : image.Plan.Sweeps[sweep].Lights)
+    {
+      const vtkIdType texels = static_cast<vtkIdType>(light.BufferSize) * light.BufferSize;
+      bytes += static_cast<vtkIdType>(sizeof(float)) * image.GetLightChannels() *
+        ((light.IsWide ? 1 : 1 + 2 * thick) * texels + SliceLightBuffer::GetSoftTexels(light));
+    }
+  }
+  return bytes;
+}
+
+double SlicePlanner::ChooseCoarseness(double seconds, double lastCoarseness, double allocated)
+{
+  // The time of a full picture counts slices and pixels along both edges.
+  const double full = seconds * std::pow(lastCoarseness, 3.0);
+  for (const double coarseness : COARSENESSES)
+  {
+    if (full <= allocated * std::pow(coarseness, 3.0))
+    {
+      return coarseness;
+    }
+  }
+  return COARSENESSES.back();
+}
+
+}

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Draw/VolumeImage.h"
+
+#include "Receivers/SliceScene.h"
+
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+namespace interlume
+{
+
+void VolumeImage::Begin(const VolumeResources::Request& request, const std::string& error)
+{
+  this->Volume.SetRequest(request, error);
+  this->Together.reset();
+  this->Scene = nullptr;
+}
+
+void VolumeImage::Draw(vtkRenderer* renderer, SliceScene* scene)
+{
+  this->Scene = scene;
+  std::vector<VolumeResources*> volumes;
+  std::string& error = this->Volume.GetResult().Error;
+  if (this->IsValid())
+  {
+    volumes.push_back(&this->Volume);
+  }
+  const std::string fault = this->Alone.Draw(renderer, volumes, scene);
+  error = error.empty() ? fault : error;
+}
+
+std::string VolumeImage::DrawTogether(vtkRenderer* renderer,
+  const std::vector<VolumeImage*>& images, const std::shared_ptr<SliceRenderer>& together,
+  SliceScene& scene)
+{
+  std::vector<VolumeResources*> volumes;
+  for (VolumeImage* image : images)
+  {
+    if (image->IsValid())
+    {
+      volumes.push_back(&image->Volume);
+    }
+  }
+  if (volumes.size() < 2)
+  {
+    return {};
+  }
+  std::string error = together->Draw(renderer, volumes, &scene);
+  for (VolumeImage* image : images)
+  {
+    if (error.empty() && image->IsValid())
+    {
+      image->Together = together;
+      image->Scene = &scene;
+      image->Alone.ReleaseGraphicsResources(renderer->GetRenderWindow());
+    }
+  }
+  return error;
+}
+
+void VolumeImage::Show(vtkRenderer* renderer)
+{
+  if (this->Scene && this->Scene->Show)
+  {
+    this->Scene->Show();
+    return;
+  }
+  this->GetRenderer().Show(renderer);
+}
+
+bool VolumeImage::ReadLightBuffer(vtkRenderer* renderer, vtkLight* light, vtkImageData* image)
+{
+  return this->GetRenderer().ReadLightBuffer(renderer, light, image);
+}
+
+void VolumeImage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Volume.ReleaseGraphicsResources(window);
+  this->Alone.ReleaseGraphicsResources(window);
+}
+
+}

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Draw/VolumeResources.h"
+
+#include "Common/Vectors.h"
+#include "Receivers/SliceScene.h"
+#include "Shaders/SliceShader.h"
+#include "Shaders/SliceTextures.h"
+#include "Volume/MatterShare.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkProjectiveLight.h"
+#include "vtkRenderer.h"
+#include "vtkSliceMatter.h"
+#include "vtkSoftwareOpenGL.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace interlume
+{
+
+struct VolumeResources::WindowResources
+{
+  SliceTextures Textures;
+  int SamplesVersion = 0;
+  int MaterialVersion = 0;
+  int ScatteringVersion = 0;
+};
+
+namespace
+{
+double GetTime(vtkObject* function)
+{
+  return function ? static_cast<double>(function->GetMTime()) : 0.0;
+}
+
+// Returns everything that a material depends on except the samples. The time of the property itself
+// changes with each volume that it is given to, and with settings of shading.
+std::vector<double> MakeKey(vtkVolumeProperty* property, int components,
+  vtkColorTransferFunction* transmission, const MaterialTable::Scattering& scattering)
+{
+  std::vector<double> key{ static_cast<double>(property->GetIndependentComponents()),
+    static_cast<double>(property->GetTransferFunctionMode()), GetTime(transmission),
+    scattering.IsOn ? 1.0 : 0.0, GetTime(scattering.Albedo) };
+  const int rows = property->GetIndependentComponents() ? components : 1;
+  for (int row = 0; row < rows; ++row)
+  {
+    const int channels = property->GetColorChannels(row);
+    vtkObject* color = nullptr;
+    if (channels == 3)
+    {
+      color = property->GetRGBTransferFunction(row);
+    }
+    else if (channels == 1)
+    {
+      color = property->GetGrayTransferFunction(row);
+    }
+    // Asking for a function that is not there, or disabled, would make one.
+    const bool hasGradient =
+      property->HasGradientOpacity(row) && property->GetDisableGradientOpacity(row) == 0;
+    vtkObject* gradient = hasGradient ? property->GetGradientOpacity(row) : nullptr;
+    key.insert(key.end(),
+      { static_cast<double>(channels), hasGradient ? 1.0 : 0.0,
+        property->GetScalarOpacityUnitDistance(row), property->GetComponentWeight(row),
+        GetTime(color), GetTime(property->GetScalarOpacity(row)), GetTime(gradient) });
+  }
+  return key;
+}
+}
+
+VolumeResources::VolumeResources() = default;
+
+VolumeResources::~VolumeResources() = default;
+
+void VolumeResources::SetRequest(const Request& request, const std::string& error)
+{
+  this->Asked = request;
+  this->Results = Result();
+  this->Results.Error = error;
+  *request.Report = vtkShadowedSliceReport();
+  this->UploadedBytes = 0;
+}
+
+std::string VolumeResources::UpdateSamples()
+{
+  const Request& request = this->Asked;
+  const bool isSoftware = this->State.IsSoftware;
+  const vtkMTimeType time = std::max(request.Image->GetMTime(), request.Scalars->GetMTime());
+  std::array<int, 3> size{};
+  const int* dimensions = request.Image->GetDimensions();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    size[axis] = request.IsOfCells ? std::max(dimensions[axis] - 1, 1) : dimensions[axis];
+  }
+  // Images may share an array that has changed after both of them.
+  if (this->Scalars == request.Scalars && this->SamplesTime == time &&
+    this->State.Samples.Size == size && this->IsWidened == isSoftware)
+  {
+    return {};
+  }
+  this->Scalars = nullptr;
+  this->MaterialOwner = nullptr;
+  std::string error = this->State.Samples.Build(request.Scalars, size, isSoftware);
+  if (error.empty())
+  {
+    this->State.SmallBlocks = VolumeBlocks();
+    if (isSoftware)
+    {
+      this->State.SmallBlocks.Build(this->State.Samples, VolumeBlocks::SmallSize);
+      this->State.Blocks.Join(this->State.SmallBlocks);
+    }
+    else
+    {
+      this->State.Blocks.Build(this->State.Samples);
+    }
+    this->Scalars = request.Scalars;
+    this->SamplesTime = time;
+    this->IsWidened = isSoftware;
+    ++this->SamplesVersion;
+  }
+  return error;
+}
+
+std::string VolumeResources::UpdateMaterial()
+{
+  const Request& request = this->Asked;
+  vtkVolumeProperty* property = request.Volume->GetProperty();
+  vtkColorTransferFunction* transmission = request.Settings.TransmissionColor;
+  MaterialTable::Scattering scattering;
+  scattering.IsOn = request.Settings.MultipleScattering != vtkShadowedSliceSettings::NO_SCATTERING;
+  scattering.Albedo = scattering.IsOn ? request.Settings.ScatteringAlbedo.Get() : nullptr;
+  std::vector<double> key =
+    MakeKey(property, this->State.Samples.Components, transmission, scattering);
+  if (this->MaterialOwner == property && this->MaterialKey == key)
+  {
+    return {};
+  }
+  this->MaterialOwner = nullptr;
+  std::string error =
+    this->State.Material.Build(property, this->State.Samples, transmission, scattering);
+  if (error.empty())
+  {
+    this->State.Blocks.Classify(this->State.Material);
+    this->State.SmallBlocks.Classify(this->State.Material);
+    this->State.OccupiedFraction =
+      MatterShare::Find(this->State.Samples, this->State.Blocks, this->State.Material);
+    this->MaterialOwner = property;
+    this->MaterialKey = std::move(key);
+    ++this->MaterialVersion;
+  }
+  return error;
+}
+
+SliceTextures& VolumeResources::GetTextures(vtkWindow* window)
+{
+  return this->Windows[window]->Textures;
+}
+
+vtkIdType VolumeResources::GetTextureBytes() const
+{
+  if (this->State.Matter)
+  {
+    return SliceTextures::GetBytes(this->State.Scattering);
+  }
+  return SliceTextures::GetBytes(this->State.Samples) +
+    SliceTextures::GetBytes(this->State.Material) + SliceTextures::GetBytes(this->State.Scattering);
+}
+
+std::string VolumeResources::Upload(vtkOpenGLRenderWindow* window)
+{
+  WindowResources& resources = *this->Windows[window];
+  const VolumeRenderState& frame = this->State;
+  SliceTextures& textures = resources.Textures;
+  std::string error;
+  textures.SetMatter(frame.Matter);
+  if (!frame.Matter && resources.SamplesVersion != this->SamplesVersion)
+  {
+    error = textures.Upload(window, frame.Samples);
+    resources.SamplesVersion = error.empty() ? this->SamplesVersion : 0;
+    this->UploadedBytes += SliceTextures::GetBytes(frame.Samples);
+  }
+  if (error.empty() && !frame.Matter && resources.MaterialVersion != this->MaterialVersion)
+  {
+    error = textures.Upload(window, frame.Material);
+    resources.MaterialVersion = error.empty() ? this->MaterialVersion : 0;
+    this->UploadedBytes += SliceTextures::GetBytes(frame.Material);
+  }
+  if (error.empty() && resources.ScatteringVersion != this->Scatterer.GetVersion())
+  {
+    error = textures.Upload(window, frame.Scattering);
+    resources.ScatteringVersion = error.empty() ? this->Scatterer.GetVersion() : 0;
+    this->UploadedBytes += SliceTextures::GetBytes(frame.Scattering);
+  }
+  std::vector<vtkProjectiveLight*> screens;
+  for (const LightSource& light : frame.Image->Lights)
+  {
+    if (light.Projective && light.Projective->GetImage())
+    {
+      screens.push_back(light.Projective);
+    }
+  }
+  textures.GetScreens().Keep(screens, window);
+  return error;
+}
+
+bool VolumeResources::AddScatteredLight(vtkOpenGLRenderWindow* window)
+{
+  const SliceScattering& scattering = this->State.Scattering;
+  if (!scattering.HasField())
+  {
+    return false;
+  }
+  ScatteredField field;
+  field.Texture = this->GetTextures(window).GetScattered();
+  field.Nodes = scattering.Nodes;
+  field.NodeFromWorld = scattering.NodeFromUnit * this->State.Space.GetUnitFromWorld();
+  field.HasFluence = scattering.HasFluence;
+  field.BlockedCells = this->Scatterer.GetBlockedCells();
+  const std::vector<LightSource>& lights = this->State.Image->Lights;
+  for (const vtkLight* known : scattering.ForwardLights)
+  {
+    const auto light = std::find_if(lights.begin(), lights.end(),
+      [known](const LightSource& source) { return source.Light == known; });
+    field.Lights.push_back(light->Light);
+  }
+  this->State.Image->Scene->Fields.push_back(field);
+  return true;
+}
+
+std::string VolumeResources::UpdateData(vtkOpenGLRenderWindow* window)
+{
+  std::unique_ptr<WindowResources>& resources = this->Windows[window];
+  if (!resources)
+  {
+    resources = std::make_unique<WindowResources>();
+  }
+  VolumeRenderState& state = this->State;
+  state.IsSoftware = vtkSoftwareOpenGL::IsUsed(window);
+  state.Matter = this->Asked.Matter;
+  std::string error = this->UpdateSamples();
+  if (error.empty())
+  {
+    error = this->UpdateMaterial();
+  }
+  if (error.empty())
+  {
+    error = this->Scatterer.SetPhase(this->Asked.Settings, state.Scattering);
+  }
+  if (error.empty())
+  {
+    error =
+      state.Space.Set(this->Asked.Image, this->Asked.IsOfCells, this->Asked.Volume->GetMatrix());
+  }
+  if (error.empty())
+  {
+    error = state.Region.Set(this->Asked.Cuts, state.Space);
+  }
+  // Magnitudes do not depend on the direction of an axis.
+  const glm::dvec3 spacing = glm::abs(glm::make_vec3(this->Asked.Image->GetSpacing()));
+  state.GradientSteps = (spacing.x + spacing.y + spacing.z) / 3.0 / spacing;
+  return error;
+}
+
+void VolumeResources::MoveTo(const glm::dvec3& center, double radius)
+{
+  this->State.Space.MoveTo(center, radius);
+  this->State.Region.Set(this->Asked.Cuts, this->State.Space);
+}
+
+void VolumeResources::SetImage(const ImageState& image, int number)
+{
+  VolumeRenderState& state = this->State;
+  state.Image = &image;
+  state.Number = number;
+  state.SurfaceGradient = this->Asked.Settings.SurfaceGradient;
+  state.TwoSidedLighting = this->Asked.Settings.TwoSidedLighting;
+  vtkVolumeProperty* property = this->Asked.Volume->GetProperty();
+  state.IsShaded = property->GetShade() != 0 && !state.Scattering.IsOn() &&
+    (!state.Matter || state.Matter->HasReflection());
+  for (int row = 0; row < state.Material.Rows; ++row)
+  {
+    state.Materials[row] = { { static_cast<float>(property->GetAmbient(row)),
+      static_cast<float>(property->GetDiffuse(row)), static_cast<float>(property->GetSpecular(row)),
+      static_cast<float>(property->GetSpecularPower(row)) } };
+    state.UnitDistances[row] = property->GetScalarOpacityUnitDistance(row);
+  }
+}
+
+ScatteringUpdater::Volume VolumeResources::GetScatteringVolume() const
+{
+  return { &this->State, { { this->SamplesVersion, this->MaterialVersion } },
+    this->Asked.Settings.ScatteringGridSize };
+}
+
+std::string VolumeResources::UpdateScattering(vtkRenderer* renderer,
+  const std::vector<ScatteringUpdater::Volume>& volumes, int lightSamples,
+  const VolumeResources* other)
+{
+  // A selection is drawn without lights, and what they have scattered is retained.
+  return renderer->GetSelector()
+    ? std::string()
+    : this->Scatterer.Solve(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()),
+        this->State, volumes, this->Asked.Settings, lightSamples,
+        other ? &other->Scatterer : nullptr, other ? &other->State.Scattering : nullptr);
+}
+
+SlicePlan::Matter VolumeResources::GetSlicedVolume() const
+{
+  return { &this->State.Space, this->State.Region.Box,
+    this->Asked.Settings.SliceSpacing / this->State.Space.Radius,
+    this->State.Material.HasSharpOpacity() ? 0.0 : SliceShader::GetRampExtinction(this->State) };
+}
+
+void VolumeResources::SetReport(const vtkShadowedSliceReport& shared, const std::string& features)
+{
+  vtkShadowedSliceReport& report = *this->Asked.Report;
+  report = shared;
+  report.Features = features;
+  report.Blocks = this->State.Blocks.GetNumberOfBlocks();
+  report.BlocksDrawn = this->State.Blocks.GetNumberVisible();
+  report.NonFiniteVoxels = this->State.Samples.NonFinite;
+  report.TextureBytes = this->GetTextureBytes();
+  report.UploadedBytes += this->UploadedBytes;
+  this->Scatterer.Fill(report);
+  report.ScatteringBytes =
+    static_cast<vtkIdType>(sizeof(float) * this->State.Scattering.Texels.size());
+}
+
+void VolumeResources::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (auto& resources : this->Windows)
+  {
+    if (!window || resources.first == window)
+    {
+      resources.second->Textures.ReleaseGraphicsResources(resources.first);
+    }
+  }
+  if (window)
+  {
+    this->Windows.erase(window);
+  }
+  else
+  {
+    this->Windows.clear();
+  }
+}
+
+}

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_VolumeResources_h
+#define interlume_VolumeResources_h
+
+#include "Draw/ScatteringUpdater.h"
+#include "Shaders/VolumeRenderState.h"
+
+#include "vtkShadowedSliceReport.h"
+#include "vtkShadowedSliceSettings.h"
+#include "vtkType.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkImageData;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkSliceMatter;
+class vtkVolume;
+class vtkWindow;
+
+namespace interlume
+{
+
+class SliceTextures;
+
+/**
+ * @class   VolumeResources
+ * @brief   the data, scattered light and textures of a volume, updated where they have changed
+ */
+class VolumeResources
+{
+public:
+  /// The volume, and the input and settings of its mapper.
+  struct Request
+  {
+    vtkVolume* Volume = nullptr;
+    vtkImageData* Image = nullptr;
+    vtkDataArray* Scalars = nullptr;
+    bool IsOfCells = false;
+    vtkShadowedSliceSettings Settings;
+    /// See VolumeRenderState.
+    vtkSliceMatter* Matter = nullptr;
+    ClipRegion::Cuts Cuts;
+    /// The mapper's report of the image.
+    vtkShadowedSliceReport* Report = nullptr;
+  };
+
+  VolumeResources();
+  ~VolumeResources();
+
+  /// The results of an image for the volume.
+  struct Result
+  {
+    /// Why the volume is not in the image; empty if it is.
+    std::string Error;
+    std::vector<std::string> Warnings;
+  };
+
+  /// Begins an image with an empty report. \a error tells why the request cannot be rendered, or is
+  /// empty.
+  void SetRequest(const Request& request, const std::string& error);
+  const Request& GetRequest() const { return this->Asked; }
+  const VolumeRenderState& GetState() const { return this->State; }
+  Result& GetResult() { return this->Results; }
+  const Result& GetResult() const { return this->Results; }
+
+  ///@{
+  /**
+   * The steps of an image. Each returns an error message, or an empty string on success: update
+   * samples and material, in the volume's own unit space; move to a unit space that volumes share;
+   * make the volume part of an image; update scattered light, from the medium of all volumes, or
+   * copy it from another volume that has the same; upload textures.
+   */
+  std::string UpdateData(vtkOpenGLRenderWindow* window);
+  void MoveTo(const glm::dvec3& center, double radius);
+  void SetImage(const ImageState& image, int number);
+  std::string UpdateScattering(vtkRenderer* renderer,
+    const std::vector<ScatteringUpdater::Volume>& volumes, int lightSamples,
+    const VolumeResources* other);
+  std::string Upload(vtkOpenGLRenderWindow* window);
+  ///@}
+
+  /// Returns the input of ScatteringUpdater.
+  ScatteringUpdater::Volume GetScatteringVolume() const;
+  /// Returns the input of SlicePlan.
+  SlicePlan::Matter GetSlicedVolume() const;
+  SliceTextures& GetTextures(vtkWindow* window);
+  vtkIdType GetTextureBytes() const;
+
+  /// Adds the light that was scattered before to a scene, for its surfaces, after Upload. Returns
+  /// whether there is any.
+  bool AddScatteredLight(vtkOpenGLRenderWindow* window);
+
+  /// Sets the report: the values that all volumes of the image share, and the volume's own.
+  void SetReport(const vtkShadowedSliceReport& shared, const std::string& features);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  struct WindowResources;
+
+  std::string UpdateSamples();
+  std::string UpdateMaterial();
+
+  Request Asked;
+  Result Results;
+  VolumeRenderState State;
+  /// The data that the samples and the material were built from.
+  vtkDataArray* Scalars = nullptr;
+  vtkMTimeType SamplesTime = 0;
+  bool IsWidened = false;
+  const void* MaterialOwner = nullptr;
+  std::vector<double> MaterialKey;
+  ScatteringUpdater Scatterer;
+  int SamplesVersion = 0;
+  int MaterialVersion = 0;
+  /// The bytes of Upload for this image.
+  vtkIdType UploadedBytes = 0;
+  std::map<vtkWindow*, std::unique_ptr<WindowResources>> Windows;
+};
+
+}
+
+#endif

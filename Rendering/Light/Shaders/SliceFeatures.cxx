@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shaders/SliceFeatures.h"
+
+#include "InterlumeLightScreen.h"
+#include "InterlumeSliceFS.h"
+#include "InterlumeSliceLight.h"
+#include "InterlumeSliceLightFS.h"
+#include "InterlumeSliceMedium.h"
+#include "InterlumeSliceReceiverFS.h"
+#include "InterlumeSliceScatter.h"
+#include "vtkShaderFeatures.h"
+
+#include <set>
+#include <sstream>
+
+namespace interlume
+{
+
+namespace
+{
+std::string Replace(std::string text, const std::string& mark, const std::string& by)
+{
+  for (std::size_t place = text.find(mark); place != std::string::npos;
+       place = text.find(mark, place + by.size()))
+  {
+    text.replace(place, mark.size(), by);
+  }
+  return text;
+}
+
+// Returns the names in the table. Those of lights end with _0 there.
+std::set<std::string> FindNames()
+{
+  std::set<std::string> names;
+  for (const SliceFeatures::Choice& choice : SliceFeatures::GetTable())
+  {
+    std::istringstream words(choice.Macros);
+    for (std::string word; words >> word;)
+    {
+      names.insert(word.substr(0, word.find('=')));
+    }
+  }
+  return names;
+}
+
+bool IsKnown(const std::string& name)
+{
+  static const std::set<std::string> names = FindNames();
+  const std::size_t end = name.find_last_not_of("0123456789") + 1;
+  const bool isOfLight = end < name.size() && name[end - 1] == '_';
+  return names.count(isOfLight ? name.substr(0, end) + "0" : name) > 0;
+}
+}
+
+const std::vector<SliceFeatures::Choice>& SliceFeatures::GetTable()
+{
+  static const std::vector<Choice> table{
+    // The transfer functions: columns, rows, and the component that has opacity.
+    { "columns", "COLUMNS=4096", EVERY, "", "", true },
+    { "material", "ROWS=1 OPACITY_OF=r", EVERY, "", "", true },
+    { "material", "ROWS=2 OPACITY_OF=r", EVERY, "", "MATTER", true },
+    { "material", "ROWS=3 OPACITY_OF=r", EVERY, "", "MATTER", true },
+    { "material", "ROWS=4 OPACITY_OF=r", EVERY, "", "MATTER", true },
+    { "material", "ROWS=1 OPACITY_OF=g", EVERY, "", "MATTER", true },
+    { "material", "ROWS=1 OPACITY_OF=a", LIGHT | RECEIVER, "", "MATTER", true },
+    { "material", "ROWS=1 OPACITY_OF=a RGB", IMAGE, "", "MATTER", true },
+    { "gradient opacity", "GRADIENT_OPACITY", EVERY, "", "MATTER" },
+    { "lists", "BENDS", EVERY, "", "MATTER" },
+    { "edges", "EDGES EDGE_PLACES=4095", EVERY, "", "MATTER" },
+    // The medium.
+    { "medium", "MATTER", EVERY },
+    { "mask", "MASK", EVERY, "", "MATTER" },
+    { "cropping", "CROPPING", EVERY },
+    { "clipping", "CLIPPING_PLANES=2", EVERY },
+    // Equal sources would share one program, and its uniforms.
+    { "volume", "VOLUME_NUMBER=1", EVERY },
+    { "light", "LIGHT_NUMBER=1", LIGHT | RECEIVER },
+    // Colors of light within the medium.
+    { "light colors", "TRANSMISSION", IMAGE, "LIT", "ROWS=2 ROWS=3 ROWS=4 OPACITY_OF=a" },
+    { "light colors", "TRANSMISSION", LIGHT | RECEIVER, "", "ROWS=2 ROWS=3 ROWS=4 OPACITY_OF=a" },
+    { "light colors", "TRANSMISSION GREY", IMAGE, "LIT" },
+    { "light colors", "TRANSMISSION GREY", LIGHT | RECEIVER },
+    // Fragments that are drawn apart from others.
+    { "part", "THIN LEAST_DEPTH=0.15", IMAGE, "LIT SHADOW_0", "MATTER SPANS GRADIENT_OPACITY" },
+    { "part", "EMPTY LEAST_DEPTH=0.15", IMAGE, "", "MATTER LIT BACK_TO_FRONT" },
+    { "part", "THICK SUMS LEAST_DEPTH=0.15", IMAGE, "LIT SHADOW_0",
+      "MATTER SPANS GRADIENT_OPACITY" },
+    { "spans", "SUMS SPANS", IMAGE, "", "MATTER GRADIENT_OPACITY" },
+    { "spans", "SUMS SPANS", LIGHT, "", "MATTER GRADIENT_OPACITY WIDE" },
+    // The view.
+    { "projection", "PERSPECTIVE", IMAGE },
+    { "near plane", "NEAR_PLANE", IMAGE },
+    { "far plane", "FAR_PLANE", IMAGE },
+    { "surfaces", "OPAQUE", IMAGE },
+    { "surfaces in front", "FRONT", IMAGE, "OPAQUE" },
+    { "order", "BACK_TO_FRONT", IMAGE },
+    // Light.
+    { "lookup", "NEAREST_LIGHT", IMAGE | RECEIVER },
+    { "lights", "LIT", IMAGE },
+    { "shading", "SHADE", IMAGE, "LIT" },
+    { "two sides", "TWO_SIDED", IMAGE, "LIT SHADE" },
+    { "scattering", "SCATTER", IMAGE, "LIT", "SHADE" },
+    { "brightness", "SCATTER_BRIGHTNESS", IMAGE, "LIT SCATTER" },
+    { "phase function", "PHASE_ANISOTROPY", IMAGE, "LIT SCATTER" },
+    { "phase function", "PHASE_TABLE PHASE_COLUMNS=4096", IMAGE, "LIT SCATTER" },
+    { "scattered light", "FIELD_MAPS=3", IMAGE, "LIT SCATTER" },
+    // One light of the image, or that of the program.
+    { "position", "POSITIONAL_0", IMAGE, "LIT" },
+    { "position", "POSITIONAL_0", RECEIVER },
+    { "position", "POSITIONAL", LIGHT },
+    { "cone", "CONE_0", IMAGE, "LIT" },
+    { "cone", "CONE_0", RECEIVER },
+    { "screen", "SCREEN_0", IMAGE, "LIT" },
+    { "screen", "SCREEN_0", RECEIVER },
+    { "screen image", "IMAGE_0", IMAGE, "LIT SCREEN_0" },
+    { "screen image", "IMAGE_0", RECEIVER, "SCREEN_0" },
+    { "shadow", "SHADOW_0", IMAGE, "LIT" },
+    { "shadow", "SHADOW_0", RECEIVER, "", "", true },
+    { "half space", "WIDE_0", IMAGE, "LIT SHADOW_0 POSITIONAL_0" },
+    { "half space", "WIDE_0", RECEIVER, "POSITIONAL_0" },
+    { "half space", "WIDE", LIGHT, "POSITIONAL" },
+    { "forward light", "FORWARD_MAP_0=2", IMAGE, "LIT SCATTER FIELD_MAPS=3" },
+    { "surfaces' shadows", "CASTER_GATHER CASTERS_0 CASTER_SHARE_0=1.0", IMAGE, "LIT SHADOW_0" },
+    // A further volume of a slab.
+    { "further volume", "WITHIN", RECEIVER, "VOLUME_NUMBER=1" },
+  };
+  return table;
+}
+
+void SliceFeatures::Add(const std::string& name, bool isOn)
+{
+  if (isOn)
+  {
+    this->Macros += " " + name;
+    this->Unknown = IsKnown(name) ? this->Unknown : name;
+  }
+}
+
+void SliceFeatures::AddValue(const std::string& name, const std::string& value)
+{
+  this->Macros += " " + name + "=" + value;
+  this->Unknown = IsKnown(name) ? this->Unknown : name;
+}
+
+std::string SliceFeatures::MakeSource(const Sources& sources) const
+{
+  if (!this->Unknown.empty())
+  {
+    return "#error " + this->Unknown + " is not in the table of SliceFeatures";
+  }
+  const auto has = [this](const std::string& text)
+  { return this->Macros.find(" " + text) != std::string::npos; };
+  std::string lights = sources.Surfaces + (has("SCREEN_") ? InterlumeLightScreen : "");
+  std::string calls;
+  for (std::size_t i = 0; i < sources.Lights.size(); ++i)
+  {
+    const std::string& panes = sources.Lights[i];
+    const std::string number = std::to_string(i);
+    lights += Replace(
+      Replace(InterlumeSliceLight, "OF_PANES_INDEX ", panes.empty() ? panes : panes + " * "),
+      "INDEX", number);
+    calls += "shine_" + number + "(color);\n";
+  }
+  calls += sources.HasFluence ? "addScattered(color);\n" : "";
+  std::string source = this->Program == IMAGE ? InterlumeSliceFS
+    : this->Program == LIGHT                  ? InterlumeSliceLightFS
+                                              : InterlumeSliceReceiverFS;
+  source = Replace(source, "//INTERLUME::MEDIUM",
+    Replace(InterlumeSliceMedium, "//INTERLUME::MATTER", sources.Medium));
+  source = Replace(source, "//INTERLUME::LIGHTS", lights);
+  source = Replace(source, "//INTERLUME::SHINE", calls);
+  source = Replace(source, "//INTERLUME::SCATTER", has("SCATTER") ? InterlumeSliceScatter : "");
+  // VTK declares every output that is named, whatever the features are.
+  source = Replace(
+    source, "//INTERLUME::BATCH", sources.HasBatches ? "gl_FragData[1] = gl_FragData[0];" : "");
+  return vtkShaderFeatures::Insert(source, this->Macros);
+}
+
+}

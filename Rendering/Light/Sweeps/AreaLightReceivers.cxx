@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sweeps/AreaLightReceivers.h"
+
+#include "Casters/SceneCasters.h"
+#include "Shaders/VolumeRenderState.h"
+#include "Buffers/EmitterSampleLayers.h"
+#include "Shaders/SliceShader.h"
+#include "Receivers/SliceScene.h"
+
+#include "InterlumeSliceLayerPointFS.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkShaderFeatures.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+namespace interlume
+{
+
+namespace
+{
+/// How many texels nearer to the light surfaces are compared whose plane is not known: what they
+/// show on themselves else would be noise of the mean.
+constexpr double UNKNOWN_PLANE = 8.0;
+
+std::string GetStackName(std::size_t stack)
+{
+  return "stack_" + std::to_string(stack);
+}
+}
+
+std::string AreaLightReceivers::Prepare(vtkOpenGLRenderWindow* window,
+  const VolumeRenderState& frame, const SlicePlan::ShadowedLight& light,
+  const EmitterSampleLayers& layers, vtkOpenGLBufferObject* vertices)
+{
+  const SceneCasters& casters = *frame.Image->Scene->Casters;
+  const std::string share = casters.GetSampleShare(frame.Image->Lights[light.Light].Light,
+    layers.GetNumberOfLayers(), "layer", "place", "vec4(0.0)");
+  this->HasCasters = !share.empty();
+  std::string declarations;
+  std::string sum;
+  for (std::size_t i = 0; i < layers.GetStacks().size(); ++i)
+  {
+    const EmitterSampleLayers::Stack& stack = *layers.GetStacks()[i];
+    declarations += "uniform sampler2D " + GetStackName(i) + ";\n";
+    sum += "  addLayers(" + GetStackName(i) + ", " + std::to_string(stack.First) + ", " +
+      std::to_string(stack.Layers) + ");\n";
+  }
+  std::string features = "LAYERS=" + std::to_string(layers.GetNumberOfLayers());
+  features += this->HasCasters ? " SAMPLE_SHARE=" + share + " " + casters.GetFeatures() : "";
+  std::string source = vtkShaderFeatures::Insert(InterlumeSliceLayerPointFS, features);
+  vtkShaderProgram::Substitute(
+    source, "//INTERLUME::CASTERS", this->HasCasters ? casters.GetSource() : "");
+  vtkShaderProgram::Substitute(source, "//INTERLUME::STACKS", declarations);
+  vtkShaderProgram::Substitute(source, "//INTERLUME::SUM", sum);
+  return this->Pass.Prepare(window, source, vertices);
+}
+
+void AreaLightReceivers::Draw(vtkOpenGLRenderWindow* window, const VolumeRenderState& frame,
+  const SlicePlan::ShadowedLight& light, const EmitterSampleLayers& layers, std::size_t first,
+  std::size_t count)
+{
+  vtkShaderProgram* program = this->Pass.GetProgram();
+  window->GetShaderCache()->ReadyShaderProgram(program);
+  SliceShader::SetLayerPointUniforms(program, frame, light);
+  program->SetUniformf("margin", static_cast<float>(0.5 / layers.GetLayerSize()));
+  for (std::size_t i = 0; i < layers.GetStacks().size(); ++i)
+  {
+    vtkTextureObject* texture = layers.GetStacks()[i]->Texture;
+    texture->Activate();
+    program->SetUniformi(GetStackName(i).c_str(), texture->GetTextureUnit());
+  }
+  std::vector<vtkTextureObject*> maps;
+  if (this->HasCasters)
+  {
+    const SceneCasters& casters = *frame.Image->Scene->Casters;
+    for (const auto& [name, map] : casters.GetTextures())
+    {
+      if (program->IsUniformUsed(name) && map->GetTextureUnit() < 0)
+      {
+        map->Activate();
+        maps.push_back(map);
+      }
+    }
+    casters.SetUniforms(program, frame.Space.GetWorldFromUnit());
+    casters.AddBias(program, UNKNOWN_PLANE);
+  }
+  this->Pass.DrawPoints(window, first, count, 0.0);
+  for (vtkTextureObject* map : maps)
+  {
+    map->Deactivate();
+  }
+  for (const std::unique_ptr<EmitterSampleLayers::Stack>& stack : layers.GetStacks())
+  {
+    stack->Texture->Deactivate();
+  }
+}
+
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sweeps/ImageUpsampler.h"
+
+#include "Space/ShaderUniforms.h"
+#include "Space/UnitVector.h"
+
+#include "InterlumeSliceShowFS.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderFeatures.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <array>
+
+namespace interlume
+{
+
+namespace
+{
+// Returns the direction in which the eye looks through the middle of the picture.
+glm::vec3 GetSightline(const glm::dmat4& unitFromClip)
+{
+  const auto at = [&](double depth)
+  {
+    const glm::dvec4 place = unitFromClip * glm::dvec4(0.0, 0.0, depth, 1.0);
+    return glm::dvec3(place) / place.w;
+  };
+  return glm::vec3(UnitVector::Normalize(at(0.5) - at(-1.0), { 0.0, 0.0, -1.0 }));
+}
+}
+
+ImageUpsampler::ImageUpsampler() = default;
+
+ImageUpsampler::~ImageUpsampler() = default;
+
+void ImageUpsampler::SetDepths(
+  vtkTextureObject* surfaces, vtkTextureObject* front, const glm::dmat4& unitFromClip)
+{
+  this->Surfaces = surfaces;
+  this->Front = surfaces ? front : nullptr;
+  this->UnitFromClip = unitFromClip;
+}
+
+bool ImageUpsampler::Show(vtkOpenGLRenderWindow* window, vtkTextureObject* image)
+{
+  const auto isFiner = [image](vtkTextureObject* depth)
+  {
+    return depth && depth->GetHandle() != 0 &&
+      (depth->GetWidth() > image->GetWidth() || depth->GetHeight() > image->GetHeight());
+  };
+  if (!isFiner(this->Surfaces))
+  {
+    this->Quad.ReleaseGraphicsResources(window);
+    return false;
+  }
+  vtkTextureObject* front = isFiner(this->Front) ? this->Front.Get() : nullptr;
+  const glm::dvec2 size(image->GetWidth(), image->GetHeight());
+  // Twice the width of a pixel where the volume's sphere fills the picture.
+  const double slant = 4.0F / static_cast<float>(std::max(size.x, size.y));
+  const glm::vec3 sightline = GetSightline(this->UnitFromClip);
+  this->Surfaces->Activate();
+  if (front)
+  {
+    front->Activate();
+  }
+  this->Quad.DrawWith(window, image,
+    vtkShaderFeatures::Insert(InterlumeSliceShowFS, front ? "FRONT" : ""),
+    [&](vtkShaderProgram* program)
+    {
+      const ShaderUniforms uniforms(program);
+      uniforms.Set("imageSize", size);
+      uniforms.Set("surfaceDepth", this->Surfaces->GetTextureUnit());
+      uniforms.Set("unitFromClip", this->UnitFromClip);
+      uniforms.Set("sightline", glm::dvec3(sightline));
+      uniforms.Set("slant", slant);
+      uniforms.Set("frontDepth", front ? front->GetTextureUnit() : 0);
+    });
+  this->Surfaces->Deactivate();
+  if (front)
+  {
+    front->Deactivate();
+  }
+  return true;
+}
+
+void ImageUpsampler::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->SetDepths(nullptr, nullptr, glm::dmat4(1.0));
+  this->Quad.ReleaseGraphicsResources(window);
+}
+
+}

@@ -1,0 +1,609 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sweeps/SliceRasterizer.h"
+
+#include "Casters/SceneCasters.h"
+#include "Loader/ScopedState.h"
+#include "Receivers/SliceScene.h"
+#include "Shaders/SliceShader.h"
+#include "Translucent/PaneMaps.h"
+
+#include "vtkFloatTarget.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkProjectiveLight.h"
+#include "vtkRenderer.h"
+#include "vtkSceneDepth.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+
+namespace interlume
+{
+
+namespace
+{
+using Sweep = SlicePlan::Sweep;
+}
+
+SliceRasterizer::SliceRasterizer() = default;
+
+SliceRasterizer::~SliceRasterizer() = default;
+
+std::string SliceRasterizer::FindFault(vtkOpenGLRenderWindow* window)
+{
+  if (!window)
+  {
+    return "the render window is not an OpenGL one";
+  }
+  window->MakeCurrent();
+  return HasOpenGL32() ? std::string() : std::string("OpenGL is older than 3.2");
+}
+
+std::string SliceRasterizer::PrepareImage()
+{
+  vtkOpenGLRenderWindow* window = this->Window;
+  vtkShadowedSliceReport& report = *this->Report;
+  const auto [width, height] = this->State->Size;
+  vtkIdType bytes = vtkFloatTarget::Allocate(window, this->Image, width, height, 4, true);
+  if (bytes == 0)
+  {
+    return "the graphics card has no memory for a picture of floats";
+  }
+  report.ImageBuffers = 1;
+  report.ImageBufferBytes = bytes;
+  if (this->State->Plan.HasFurtherPictures())
+  {
+    bytes = vtkFloatTarget::Allocate(window, this->SweepImage, width, height, 4, false);
+    if (bytes == 0)
+    {
+      return "the graphics card has no memory for a second picture of floats";
+    }
+    ++report.ImageBuffers;
+    report.ImageBufferBytes += bytes;
+  }
+  else
+  {
+    this->SweepImage->ReleaseGraphicsResources(window);
+  }
+  if (this->Opaque && !this->State->Scene)
+  {
+    ++report.ImageBuffers;
+    report.ImageBufferBytes += static_cast<vtkIdType>(sizeof(float)) *
+      static_cast<vtkIdType>(this->OpaqueDepth->GetWidth()) *
+      static_cast<vtkIdType>(this->OpaqueDepth->GetHeight());
+  }
+  this->ImageFramebuffer->SetContext(window);
+  ++report.ImageBuffers;
+  report.ImageBufferBytes +=
+    this->Occlusion.Prepare(window, this->ImageFramebuffer, width, height, true);
+  this->ImageFramebuffer->Bind();
+  this->ImageFramebuffer->AddColorAttachment(0, this->Image);
+  this->ImageFramebuffer->ActivateDrawBuffer(0);
+  const char* status = nullptr;
+  return vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_DRAW_FRAMEBUFFER, status)
+    ? std::string()
+    : std::string("a framebuffer of floats cannot be drawn to");
+}
+
+SliceLightBuffer& SliceRasterizer::GetLightBuffer(int light)
+{
+  const auto found = std::find_if(this->Lights.begin(), this->Lights.end(),
+    [light](const std::unique_ptr<SliceLightBuffer>& buffer)
+    { return buffer->GetLight() == light; });
+  if (found != this->Lights.end())
+  {
+    return **found;
+  }
+  this->Lights.push_back(std::make_unique<SliceLightBuffer>(light));
+  return *this->Lights.back();
+}
+
+std::string SliceRasterizer::PrepareLights(const Sweep& sweep)
+{
+  std::vector<const SlicePolygons*> polygons;
+  for (const std::unique_ptr<VolumeSlices>& slices : this->Slices)
+  {
+    polygons.push_back(&slices->GetPolygons());
+  }
+  for (const SlicePlan::ShadowedLight& light : sweep.Lights)
+  {
+    // A light of several sweeps has its buffer in each in turn.
+    std::string error =
+      this->GetLightBuffer(light.Light).Prepare(this->Window, *this->State, sweep, light, polygons);
+    if (!error.empty())
+    {
+      return error;
+    }
+  }
+  return {};
+}
+
+void SliceRasterizer::ReleaseUnusedLights()
+{
+  for (const std::unique_ptr<SliceLightBuffer>& buffer : this->Lights)
+  {
+    if (!buffer->IsUsed())
+    {
+      buffer->ReleaseGraphicsResources(this->Window);
+    }
+  }
+  this->Lights.erase(
+    std::remove_if(this->Lights.begin(), this->Lights.end(),
+      [](const std::unique_ptr<SliceLightBuffer>& buffer) { return !buffer->IsUsed(); }),
+    this->Lights.end());
+}
+
+void SliceRasterizer::SetVolumes(const std::vector<Volume>& volumes)
+{
+  while (this->Slices.size() > volumes.size())
+  {
+    this->Slices.back()->ReleaseGraphicsResources();
+    this->Slices.pop_back();
+  }
+  for (std::size_t i = 0; i < volumes.size(); ++i)
+  {
+    if (i == this->Slices.size())
+    {
+      this->Slices.push_back(std::make_unique<VolumeSlices>());
+    }
+    this->Slices[i]->Set(*volumes[i].State, *volumes[i].Textures);
+  }
+}
+
+void SliceRasterizer::UpdateOpaqueDepth(vtkRenderer* renderer)
+{
+  const SliceScene* scene = this->State->Scene;
+  this->Opaque = scene ? scene->EyeDepth : nullptr;
+  if (scene || !this->State->MayBeOccluded)
+  {
+    this->OpaqueDepth->ReleaseGraphicsResources(this->Window);
+  }
+  else
+  {
+    this->OpaqueDepth->SetContext(this->Window);
+    this->Opaque =
+      vtkSceneDepth::CopyTo(renderer, this->OpaqueDepth) ? this->OpaqueDepth.Get() : nullptr;
+  }
+  this->Upsampler.SetDepths(
+    this->Opaque, scene ? scene->FrontDepth : nullptr, glm::inverse(this->State->Eye.ClipFromUnit));
+}
+
+std::string SliceRasterizer::DrawSweeps()
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  const ScopedState scoped(state);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglDepthFunc(GL_LESS);
+  const SlicePlan& plan = this->State->Plan;
+  std::string error = this->PrepareImage();
+  for (std::size_t i = 0; i < plan.Sweeps.size() && error.empty(); ++i)
+  {
+    error = this->DrawSweep(i);
+    if (error.empty() && plan.IsLastOfPicture(i) && !plan.IsOfFirstPicture(i))
+    {
+      this->AddSweep();
+    }
+  }
+  return error;
+}
+
+std::string SliceRasterizer::Draw(vtkRenderer* renderer, const ImageState& image,
+  const std::vector<Volume>& volumes, vtkShadowedSliceReport& report)
+{
+  this->Window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  this->State = &image;
+  this->Report = &report;
+  this->SetVolumes(volumes);
+  this->UpdateOpaqueDepth(renderer);
+  for (const std::unique_ptr<SliceLightBuffer>& buffer : this->Lights)
+  {
+    buffer->SetUnused();
+  }
+  this->HasImage = false;
+  vtkOpenGLState* state = this->Window->GetState();
+  state->PushFramebufferBindings();
+  std::string error = this->DrawSweeps();
+  state->PopFramebufferBindings();
+  this->ReleaseUnusedLights();
+  for (const std::unique_ptr<SliceLightBuffer>& buffer : this->Lights)
+  {
+    ++report.LightBuffers;
+    report.LightBufferBytes += buffer->GetBytes();
+    report.LightLayers += buffer->GetNumberOfSampleLayers();
+    report.SoftShadowBytes += buffer->GetSoftBytes();
+    report.LightBufferSize =
+      std::max(report.LightBufferSize, static_cast<int>(buffer->GetTexture()->GetWidth()));
+    report.LightChannels = buffer->GetTexture()->GetComponents();
+  }
+  this->HasImage = error.empty();
+  return error;
+}
+
+void SliceRasterizer::ActivateTextures(std::size_t sweepIndex, vtkShaderProgram* program)
+{
+  const SliceScene* scene = this->State->Scene;
+  this->Window->GetShaderCache()->ReadyShaderProgram(program);
+  const auto activate = [&](vtkTextureObject* texture, const std::string& name)
+  {
+    texture->Activate();
+    program->SetUniformi(name.c_str(), texture->GetTextureUnit());
+    this->Active.push_back(texture);
+  };
+  if (this->Opaque)
+  {
+    activate(this->Opaque, "opaqueDepth");
+  }
+  if (scene)
+  {
+    for (const auto& [name, texture] : scene->Casters->GetTextures())
+    {
+      if (program->IsUniformUsed(name))
+      {
+        activate(texture, name);
+      }
+    }
+  }
+  if (program->IsUniformUsed("paneLayers"))
+  {
+    activate(scene->Panes->GetTexture(), "paneLayers");
+  }
+  if (program->IsUniformUsed("frontDepth"))
+  {
+    activate(scene->FrontDepth, "frontDepth");
+  }
+  const std::size_t shadowed = this->State->Plan.Sweeps[sweepIndex].Lights.size();
+  std::size_t number = 0;
+  for (int light : SliceShader::GetLightsOf(this->Slices[0]->GetFrame(), sweepIndex))
+  {
+    const std::string suffix = "_" + std::to_string(number);
+    if (number < shadowed)
+    {
+      activate(this->GetLightBuffer(light).GetTexture(), "buffer" + suffix);
+    }
+    vtkProjectiveLight* projective = this->State->Lights[light].Projective;
+    if (projective && projective->GetImage())
+    {
+      activate(this->Slices[0]->GetTextures().GetScreens().Get(
+                 this->Window, projective, this->Report->UploadedBytes),
+        "image" + suffix);
+    }
+    ++number;
+  }
+}
+
+void SliceRasterizer::DeactivateTextures()
+{
+  for (const std::unique_ptr<VolumeSlices>& slices : this->Slices)
+  {
+    slices->End();
+  }
+  for (vtkTextureObject* texture : this->Active)
+  {
+    texture->Deactivate();
+  }
+  this->Active.clear();
+}
+
+void SliceRasterizer::BeginSweep(std::size_t sweepIndex)
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  const SlicePlan& plan = this->State->Plan;
+  this->BindImage(plan.IsOfFirstPicture(sweepIndex) ? this->Image : this->SweepImage);
+  SliceOcclusion::Clear(this->Window);
+  if (plan.Sweeps[sweepIndex].IsBehind)
+  {
+    this->MarkImage();
+    return;
+  }
+  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+}
+
+void SliceRasterizer::BindImage(vtkTextureObject* image)
+{
+  this->ImageFramebuffer->Bind();
+  this->ImageFramebuffer->AddColorAttachment(0, image);
+  this->ImageFramebuffer->ActivateDrawBuffer(0);
+  this->Window->GetState()->vtkglViewport(0, 0, this->State->Size[0], this->State->Size[1]);
+}
+
+void SliceRasterizer::MarkImage()
+{
+  this->Occlusion.Mark(this->Window, this->ImageFramebuffer->GetColorAttachmentAsTextureObject(0),
+    SliceOcclusion::OPACITY);
+  ++this->Report->OcclusionPasses;
+}
+
+std::string SliceRasterizer::PrepareVolume(std::size_t sweepIndex, std::size_t number)
+{
+  const Sweep& sweep = this->State->Plan.Sweeps[sweepIndex];
+  VolumeSlices& slices = *this->Slices[number];
+  std::string error = slices.Prepare(this->Window, sweepIndex, this->IsOccluded(), this->HasMarks,
+    [&](vtkShaderProgram* program) { this->ActivateTextures(sweepIndex, program); });
+  std::vector<SliceLightBuffer*> buffers;
+  for (const SlicePlan::ShadowedLight& light : sweep.Lights)
+  {
+    SliceLightBuffer& buffer = this->GetLightBuffer(light.Light);
+    buffers.push_back(&buffer);
+    if (error.empty())
+    {
+      error = buffer.PrepareVolume(this->Window, number, slices);
+    }
+  }
+  if (error.empty() && this->HasReceivers)
+  {
+    error = this->Receivers.Prepare(this->Window, slices, buffers);
+  }
+  return error;
+}
+
+void SliceRasterizer::FindOrder(std::size_t sweepIndex)
+{
+  const Sweep& sweep = this->State->Plan.Sweeps[sweepIndex];
+  std::vector<SlicePlan::Matter> volumes;
+  this->HasThickPart = false;
+  this->HasMarks = this->State->FarPlane.IsCutting;
+  this->IsDense = false;
+  for (const std::unique_ptr<VolumeSlices>& slices : this->Slices)
+  {
+    const VolumeRenderState& own = slices->GetFrame();
+    this->IsDense = this->IsDense ||
+      (!own.Matter &&
+        SliceShader::GetLargestExtinction(own) * sweep.Spacing > SlicePlan::DenseDepth);
+    volumes.push_back({ &own.Space, own.Region.Box, 0.0 });
+    this->HasThickPart = this->HasThickPart || SliceShader::HasThickPart(own, sweepIndex);
+    // Depths of a slab's middle behind the far plane would not pass the test.
+    this->HasMarks =
+      this->HasMarks || this->HasThickPart || SliceShader::HasEmptyPart(own, sweepIndex);
+  }
+  this->Order.Find(sweep, this->State->Eye, this->State->Lights, volumes);
+}
+
+std::string SliceRasterizer::PrepareVolumes(std::size_t sweepIndex)
+{
+  const Sweep& sweep = this->State->Plan.Sweeps[sweepIndex];
+  this->FindOrder(sweepIndex);
+  this->HasReceivers = this->State->Scene && this->State->Scene->EyeDepth;
+  if (this->HasReceivers)
+  {
+    this->Receivers.Begin(this->Slices, sweepIndex);
+  }
+  std::string error = this->PrepareLights(sweep);
+  if (!error.empty())
+  {
+    return error;
+  }
+  for (const SlicePlan::ShadowedLight& light : sweep.Lights)
+  {
+    // Surfaces ask for them also where the first volume draws nothing.
+    this->Active.push_back(this->GetLightBuffer(light.Light).GetTexture());
+    this->Active.back()->Activate();
+  }
+  for (std::size_t i = 0; i < this->Slices.size() && error.empty(); ++i)
+  {
+    error = this->PrepareVolume(sweepIndex, i);
+    this->Bound = i;
+    if (i + 1 < this->Slices.size())
+    {
+      this->Slices[i]->Suspend();
+    }
+  }
+  return error;
+}
+
+bool SliceRasterizer::IsEmpty(int slab) const
+{
+  return std::all_of(this->Slices.begin(), this->Slices.end(),
+    [slab](const std::unique_ptr<VolumeSlices>& slices) { return slices->IsEmpty(slab); });
+}
+
+std::string SliceRasterizer::DrawSweep(std::size_t sweepIndex)
+{
+  const Sweep& sweep = this->State->Plan.Sweeps[sweepIndex];
+  vtkShadowedSliceReport& report = *this->Report;
+  for (const std::unique_ptr<VolumeSlices>& slices : this->Slices)
+  {
+    report.TriangleBytes += slices->Cut(sweep);
+  }
+  report.Slices += sweep.Slabs;
+  if (std::all_of(this->Slices.begin(), this->Slices.end(),
+        [](const std::unique_ptr<VolumeSlices>& slices) { return slices->IsEmpty(); }))
+  {
+    this->BeginSweep(sweepIndex);
+    return {};
+  }
+
+  const std::string error = this->PrepareVolumes(sweepIndex);
+  if (!error.empty())
+  {
+    this->DeactivateTextures();
+    return error;
+  }
+  this->BeginSweep(sweepIndex);
+  const int interval =
+    this->HasThickPart ? SliceOcclusion::ThickInterval : SliceOcclusion::Interval;
+  const int pictureInterval = this->IsDense ? SliceOcclusion::ThickInterval : interval;
+  int drawn = 0;
+  for (int slab = 0; slab < sweep.Slabs && this->Window->CheckAbortStatus() == 0; ++slab)
+  {
+    const bool isEmpty = this->IsEmpty(slab);
+    for (std::size_t i = 0; i < sweep.Lights.size() && !isEmpty; ++i)
+    {
+      const SlicePlan::ShadowedLight& light = sweep.Lights[i];
+      report.SoftShadowPasses += this->GetLightBuffer(light.Light).Begin(this->Window, slab);
+    }
+    if (this->HasThickPart)
+    {
+      this->KeepLayers(sweep, slab);
+    }
+    if (isEmpty)
+    {
+      continue;
+    }
+    this->DrawSlab(sweep, slab);
+    ++drawn;
+    if (sweep.IsFrontToBack && drawn % pictureInterval == 0)
+    {
+      this->MarkImage();
+    }
+    for (std::size_t i = 0; i < sweep.Lights.size() && drawn % interval == 0; ++i)
+    {
+      this->GetLightBuffer(sweep.Lights[i].Light).MarkOccluded(this->Window);
+      ++report.OcclusionPasses;
+    }
+  }
+  this->DrawReceivers(sweep.Slabs);
+  this->DeactivateTextures();
+  report.SlicesDrawn += drawn;
+  return {};
+}
+
+void SliceRasterizer::BindVolume(std::size_t number)
+{
+  if (this->Bound != number)
+  {
+    this->Slices[this->Bound]->Suspend();
+    this->Slices[number]->Resume(this->Window);
+    this->Bound = number;
+  }
+}
+
+void SliceRasterizer::DrawReceivers(int slab)
+{
+  if (!this->HasReceivers || !this->Receivers.IsLeft(slab))
+  {
+    return;
+  }
+  for (std::size_t i = 0; i < this->Slices.size(); ++i)
+  {
+    this->BindVolume(i);
+    this->Report->SoftShadowPasses += this->Receivers.Draw(this->Window, slab, i);
+  }
+  this->Receivers.Pass(slab);
+}
+
+void SliceRasterizer::DrawSlab(const Sweep& sweep, int slab)
+{
+  this->DrawReceivers(slab);
+  int number = 0;
+  for (const std::size_t volume : this->Order.Get(slab))
+  {
+    VolumeSlices& slices = *this->Slices[volume];
+    if (slices.IsEmpty(slab))
+    {
+      continue;
+    }
+    this->BindVolume(volume);
+    if (!slices.IsOutOfView(slab))
+    {
+      this->ImageFramebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+      this->Window->GetState()->vtkglViewport(0, 0, this->State->Size[0], this->State->Size[1]);
+      slices.Draw(this->Window, sweep, slab, number, static_cast<int>(this->Slices.size()));
+      ++this->Report->EyePasses;
+    }
+    for (const SlicePlan::ShadowedLight& light : sweep.Lights)
+    {
+      this->Report->LightPasses +=
+        this->GetLightBuffer(light.Light).Draw(this->Window, slices.GetPolygons(), slab, volume);
+    }
+    ++number;
+  }
+}
+
+void SliceRasterizer::KeepLayers(const Sweep& sweep, int slab)
+{
+  for (std::size_t volume = 0; volume < this->Slices.size(); ++volume)
+  {
+    const VolumeSlices& slices = *this->Slices[volume];
+    for (std::size_t i = 0; i < sweep.Lights.size() && slices.HasThickPart(); ++i)
+    {
+      SliceLightBuffer& buffer = this->GetLightBuffer(sweep.Lights[i].Light);
+      if (sweep.Lights[i].IsWide || !buffer.KeepLayer(slab, slices.IsEmpty(slab), volume))
+      {
+        continue;
+      }
+      const std::string suffix = "_" + std::to_string(i);
+      vtkTextureObject* layer = buffer.GetLayer(volume);
+      layer->Activate();
+      if (std::find(this->Active.begin(), this->Active.end(), layer) == this->Active.end())
+      {
+        this->Active.push_back(layer);
+      }
+      vtkShaderProgram* program = slices.GetThickProgram();
+      this->Window->GetShaderCache()->ReadyShaderProgram(program);
+      program->SetUniformi(("layer" + suffix).c_str(), layer->GetTextureUnit());
+      program->SetUniformf(("layerEntrance" + suffix).c_str(),
+        static_cast<float>(sweep.First + buffer.GetLayerSlab(volume) * sweep.Spacing));
+    }
+  }
+}
+
+void SliceRasterizer::AddSweep()
+{
+  // Every sweep has the same opacity; the colors are those of different lights.
+  this->BindImage(this->Image);
+  this->SumQuad.Draw(this->Window, this->SweepImage, "SUM");
+}
+
+void SliceRasterizer::Show(vtkRenderer* renderer)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkTextureObject* image = this->HasImage ? this->Image.Get() : nullptr;
+  if (renderer->GetSelector())
+  {
+    this->Selection.Show(renderer->GetSelector(), window, image);
+  }
+  else if (image && !this->Upsampler.Show(window, image))
+  {
+    this->Quad.Draw(window, image);
+  }
+}
+
+std::vector<float> SliceRasterizer::ReadLightBuffer(
+  vtkOpenGLRenderWindow* window, int light, int& size, int& channels)
+{
+  for (const std::unique_ptr<SliceLightBuffer>& buffer : this->Lights)
+  {
+    if (buffer->GetLight() == light)
+    {
+      return buffer->Read(window, size, channels);
+    }
+  }
+  return {};
+}
+
+void SliceRasterizer::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->HasImage = false;
+  for (vtkTextureObject* texture :
+    { this->Image.Get(), this->SweepImage.Get(), this->OpaqueDepth.Get() })
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
+  this->ImageFramebuffer->ReleaseGraphicsResources(window);
+  this->Occlusion.ReleaseGraphicsResources(window);
+  for (const std::unique_ptr<SliceLightBuffer>& buffer : this->Lights)
+  {
+    buffer->ReleaseGraphicsResources(window);
+  }
+  this->Lights.clear();
+  for (const std::unique_ptr<VolumeSlices>& slices : this->Slices)
+  {
+    slices->ReleaseGraphicsResources();
+  }
+  this->Slices.clear();
+  this->Receivers.ReleaseGraphicsResources();
+  this->Quad.ReleaseGraphicsResources(window);
+  this->SumQuad.ReleaseGraphicsResources(window);
+  this->Upsampler.ReleaseGraphicsResources(window);
+  this->Selection.ReleaseGraphicsResources(window);
+}
+
+}
