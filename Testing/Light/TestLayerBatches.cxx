@@ -74,7 +74,7 @@ void CheckColumn(Check& check)
   sweep.Slabs = 64;
   sweep.Spacing = (high.z - low.z) / 64.0;
   SlicePolygons polygons;
-  polygons.Build(sweep, borders, visible, space, box, 0.0);
+  polygons.Build(sweep, { borders, visible }, space, box, 0.0);
 
   SlicePlan::ShadowedLight light;
   light.BufferSize = Size;

@@ -122,8 +122,8 @@ double GetArea(const interlume::LightTiles& tiles)
 interlume::LightTiles Find(const Scene& scene)
 {
   interlume::LightTiles tiles;
-  tiles.Build(scene.Sweep, scene.Light, scene.Position, scene.Borders, scene.Visible, scene.Space,
-    scene.Space.Box);
+  tiles.Build(scene.Sweep, scene.Light, scene.Position, { scene.Borders, scene.Visible },
+    scene.Space, scene.Space.Box);
   return tiles;
 }
 

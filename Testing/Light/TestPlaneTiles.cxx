@@ -84,7 +84,7 @@ Scene MakeScene(Random& random, double share, double half, double distance)
 
 bool Build(const Scene& scene, interlume::PlaneTiles& tiles)
 {
-  return tiles.Build(scene.Sweep, scene.ClipFromUnit, scene.Size, scene.Borders, scene.Visible,
+  return tiles.Build(scene.Sweep, scene.ClipFromUnit, scene.Size, { scene.Borders, scene.Visible },
     scene.Space, scene.Space.Box, Margin);
 }
 

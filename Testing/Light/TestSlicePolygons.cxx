@@ -230,7 +230,8 @@ double GetDepth(const Box& block, const glm::dvec3& texture)
 void CheckScene(Check& check, const Scene& scene, Random& random, bool hasTies)
 {
   interlume::SlicePolygons polygons;
-  polygons.Build(scene.Sweep, scene.Borders, scene.Visible, scene.Space, scene.Crop, scene.Margin);
+  polygons.Build(
+    scene.Sweep, { scene.Borders, scene.Visible }, scene.Space, scene.Crop, scene.Margin);
   check.Equal(polygons.GetNumberOfSlabs(), scene.Sweep.Slabs, "slabs");
   check.That(polygons.GetVertices().size() == 3 * polygons.GetStarts().back(), "vertices");
   const std::vector<Box> blocks = GetBlocks(scene);
@@ -399,7 +400,7 @@ void CheckTies(Check& check)
   scene.Sweep.First -= 0.5 * scene.Sweep.Spacing;
   scene.Sweep.Slabs = 3;
   interlume::SlicePolygons polygons;
-  polygons.Build(scene.Sweep, scene.Borders, scene.Visible, scene.Space, scene.Crop, 0.0);
+  polygons.Build(scene.Sweep, { scene.Borders, scene.Visible }, scene.Space, scene.Crop, 0.0);
   check.That(!polygons.IsEmpty(0) && !polygons.IsEmpty(1) && polygons.IsEmpty(2),
     "a block owns its lower face");
   // One block for all that is visible: two triangles.
@@ -424,7 +425,7 @@ void CheckThreads(Check& check)
   const auto build = [&]()
   {
     polygons.Build(
-      scene.Sweep, scene.Borders, scene.Visible, scene.Space, scene.Crop, scene.Margin);
+      scene.Sweep, { scene.Borders, scene.Visible }, scene.Space, scene.Crop, scene.Margin);
   };
   const auto get = [&]()
   {

@@ -193,7 +193,7 @@ void CheckJoined(const Case& volume, Check& check)
   built.Build(samples);
   built.Classify(material);
   check.That(joined.GetSize() == built.GetSize(), "blocks");
-  check.That(joined.GetVisible() == built.GetVisible(), "visible blocks");
+  check.That(joined.GetLattice().GetVisible() == built.GetLattice().GetVisible(), "visible blocks");
   for (int axis = 0; axis < 3; ++axis)
   {
     check.That(joined.GetBorders(axis) == built.GetBorders(axis), "borders");

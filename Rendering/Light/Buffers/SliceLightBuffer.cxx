@@ -139,12 +139,13 @@ std::string SliceLightBuffer::PrepareVolume(
   }
   if (light.IsWide)
   {
-    own.WideTiles.Build(sweep, light, frame.Image->Lights[light.Light].Position, frame.Blocks,
-      frame.Space, frame.Region.Box);
+    own.WideTiles.Build(sweep, light, frame.Image->Lights[light.Light].Position,
+      frame.Blocks.GetLattice(), frame.Space, frame.Region.Box);
   }
   own.HasTiles = !light.IsWide && frame.HasTiles() &&
-    own.Tiles.Build(sweep, light.BufferFromUnit, { { this->Size, this->Size } }, frame.SmallBlocks,
-      frame.Space, frame.Region.Box, VolumeSlices::GetMargin(sweep));
+    own.Tiles.Build(sweep, light.BufferFromUnit, { { this->Size, this->Size } },
+      frame.SmallBlocks.GetLattice(), frame.Space, frame.Region.Box,
+      VolumeSlices::GetMargin(sweep));
   const std::vector<float>& drawn = this->GetDrawn(own, slices.GetPolygons()).GetVertices();
   const bool isTiled = (light.IsWide || own.HasTiles) && !drawn.empty();
   if (isTiled)

@@ -42,7 +42,8 @@ double VolumeSlices::GetMargin(const SlicePlan::Sweep& sweep)
 vtkIdType VolumeSlices::Cut(const SlicePlan::Sweep& sweep)
 {
   const VolumeRenderState& frame = *this->Frame;
-  this->Polygons.Build(sweep, frame.Blocks, frame.Space, frame.Region.Box, GetMargin(sweep));
+  this->Polygons.Build(
+    sweep, frame.Blocks.GetLattice(), frame.Space, frame.Region.Box, GetMargin(sweep));
   const std::vector<float>& vertices = this->Polygons.GetVertices();
   this->HasTiles = false;
   if (vertices.empty())
@@ -52,8 +53,8 @@ vtkIdType VolumeSlices::Cut(const SlicePlan::Sweep& sweep)
   this->Vertices->Upload(vertices, vtkOpenGLBufferObject::ArrayBuffer);
   std::size_t coordinates = vertices.size();
   if (frame.HasTiles() && !frame.Image->NearPlane.IsCutting &&
-    this->Tiles.Build(sweep, frame.Image->Eye.ClipFromUnit, frame.Image->Size, frame.SmallBlocks,
-      frame.Space, frame.Region.Box, GetMargin(sweep)))
+    this->Tiles.Build(sweep, frame.Image->Eye.ClipFromUnit, frame.Image->Size,
+      frame.SmallBlocks.GetLattice(), frame.Space, frame.Region.Box, GetMargin(sweep)))
   {
     this->HasTiles = true;
     coordinates += this->Tiles.GetVertices().size();

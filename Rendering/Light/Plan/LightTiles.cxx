@@ -3,7 +3,6 @@
 
 #include "Space/UnitSpace.h"
 #include "Space/UnitVector.h"
-#include "Volume/VolumeBlocks.h"
 
 #include "vtkSMPTools.h"
 
@@ -36,14 +35,13 @@ constexpr double SmallestSlope = 1e-9;
 class BlockCounts
 {
 public:
-  BlockCounts(const std::array<std::vector<double>, 3>& borders,
-    const std::vector<unsigned char>& visible, const Box& box)
-    : Borders(borders)
+  BlockCounts(const BlockLattice& lattice, const Box& box)
+    : Lattice(lattice)
     , Matter{ { box[0][0], box[1][0], box[2][0] }, { box[0][1], box[1][1], box[2][1] } }
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      this->Size[axis] = borders[axis].size() - 1;
+      this->Size[axis] = static_cast<std::size_t>(lattice.GetSize(axis));
     }
     this->Sums.assign((this->Size[0] + 1) * (this->Size[1] + 1) * (this->Size[2] + 1), 0);
     for (std::size_t k = 0; k < this->Size[2]; ++k)
@@ -53,7 +51,8 @@ public:
         int row = 0;
         for (std::size_t i = 0; i < this->Size[0]; ++i)
         {
-          row += visible[(k * this->Size[1] + j) * this->Size[0] + i];
+          row += lattice.IsVisible(
+            { { static_cast<int>(i), static_cast<int>(j), static_cast<int>(k) } });
           this->Sums[this->GetIndex(i + 1, j + 1, k + 1)] =
             row + this->Get(i + 1, j, k + 1) + this->Get(i + 1, j + 1, k) - this->Get(i + 1, j, k);
         }
@@ -96,12 +95,12 @@ private:
   // Returns the block of a place; the first and last blocks reach as far as one likes.
   std::size_t Find(std::size_t axis, double place) const
   {
-    const std::vector<double>& borders = this->Borders[axis];
+    const std::vector<double>& borders = this->Lattice.GetBorders(axis);
     const auto above = std::upper_bound(borders.begin() + 1, borders.end() - 1, place);
     return static_cast<std::size_t>(above - borders.begin()) - 1;
   }
 
-  const std::array<std::vector<double>, 3>& Borders;
+  const BlockLattice& Lattice;
   const Bounds Matter;
   std::array<std::size_t, 3> Size{};
   std::vector<int> Sums;
@@ -200,18 +199,9 @@ void AddTiles(const Pyramids& pyramids, const BlockCounts& blocks,
 }
 
 void LightTiles::Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
-  const glm::dvec3& position, const VolumeBlocks& blocks, const UnitSpace& space, const Box& box)
+  const glm::dvec3& position, const BlockLattice& lattice, const UnitSpace& space, const Box& box)
 {
-  this->Build(sweep, light, position,
-    { { blocks.GetBorders(0), blocks.GetBorders(1), blocks.GetBorders(2) } }, blocks.GetVisible(),
-    space, box);
-}
-
-void LightTiles::Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
-  const glm::dvec3& position, const std::array<std::vector<double>, 3>& borders,
-  const std::vector<unsigned char>& visible, const UnitSpace& space, const Box& box)
-{
-  const BlockCounts counts(borders, visible, box);
+  const BlockCounts counts(lattice, box);
   const Pyramids pyramids(light, sweep.Normal, position, space);
   const double apex = glm::dot(position, sweep.Normal);
   std::vector<std::vector<float>> parts(static_cast<std::size_t>(sweep.Slabs));

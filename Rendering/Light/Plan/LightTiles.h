@@ -5,15 +5,14 @@
 #include "Common/Vectors.h"
 #include "Plan/SlabTriangles.h"
 #include "Plan/SlicePlan.h"
+#include "Volume/BlockLattice.h"
 
 #include <array>
-#include <vector>
 
 namespace interlume
 {
 
 class UnitSpace;
-class VolumeBlocks;
 
 /**
  * @class   LightTiles
@@ -36,17 +35,7 @@ public:
    * same for any number of threads.
    */
   void Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
-    const glm::dvec3& position, const VolumeBlocks& blocks, const UnitSpace& space,
-    const std::array<std::array<double, 2>, 3>& box);
-
-  /**
-   * Finds the tiles likewise, for blocks given by their \a borders along each axis in texture
-   * coordinates, one more than blocks, and by which of them are \a visible, x fastest. The first
-   * and last blocks reach to the box.
-   */
-  void Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
-    const glm::dvec3& position, const std::array<std::vector<double>, 3>& borders,
-    const std::vector<unsigned char>& visible, const UnitSpace& space,
+    const glm::dvec3& position, const BlockLattice& lattice, const UnitSpace& space,
     const std::array<std::array<double, 2>, 3>& box);
 };
 

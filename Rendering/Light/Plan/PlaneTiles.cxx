@@ -4,8 +4,6 @@
 #include "Plan/BoxCutTable.h"
 #include "Space/UnitSpace.h"
 #include "Space/UnitVector.h"
-#include "Volume/BlockLattice.h"
-#include "Volume/VolumeBlocks.h"
 
 #include "vtkSMPTools.h"
 
@@ -359,20 +357,9 @@ void AddRectangle(
 }
 
 bool PlaneTiles::Build(const SlicePlan::Sweep& sweep, const glm::dmat4& clipFromUnit,
-  const std::array<int, 2>& size, const VolumeBlocks& blocks, const UnitSpace& space,
+  const std::array<int, 2>& size, BlockLattice lattice, const UnitSpace& space,
   const std::array<std::array<double, 2>, 3>& box, double margin)
 {
-  return this->Build(sweep, clipFromUnit, size,
-    { { blocks.GetBorders(0), blocks.GetBorders(1), blocks.GetBorders(2) } }, blocks.GetVisible(),
-    space, box, margin);
-}
-
-bool PlaneTiles::Build(const SlicePlan::Sweep& sweep, const glm::dmat4& clipFromUnit,
-  const std::array<int, 2>& size, const std::array<std::vector<double>, 3>& borders,
-  const std::vector<unsigned char>& visible, const UnitSpace& space,
-  const std::array<std::array<double, 2>, 3>& box, double margin)
-{
-  BlockLattice lattice(borders, visible);
   lattice.Crop(box, space.GetMargins(margin));
   const std::vector<Block> blocks = lattice.GetVisible();
   const Viewer viewer(lattice, space, sweep, clipFromUnit, size);

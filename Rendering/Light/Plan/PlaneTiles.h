@@ -4,9 +4,9 @@
 
 #include "Plan/SlabTriangles.h"
 #include "Plan/SlicePlan.h"
+#include "Volume/BlockLattice.h"
 
 #include <array>
-#include <vector>
 
 #include <glm/mat4x4.hpp>
 
@@ -14,7 +14,6 @@ namespace interlume
 {
 
 class UnitSpace;
-class VolumeBlocks;
 
 /**
  * @class   PlaneTiles
@@ -40,17 +39,7 @@ public:
    * or behind the eye of the view, or slices are seen nearly edge-on.
    */
   bool Build(const SlicePlan::Sweep& sweep, const glm::dmat4& clipFromUnit,
-    const std::array<int, 2>& size, const VolumeBlocks& blocks, const UnitSpace& space,
-    const std::array<std::array<double, 2>, 3>& box, double margin);
-
-  /**
-   * Finds the tiles likewise, for blocks given by their \a borders along each axis in texture
-   * coordinates, one more than blocks, and by which of them are \a visible, x fastest. The first
-   * and last blocks reach to the box.
-   */
-  bool Build(const SlicePlan::Sweep& sweep, const glm::dmat4& clipFromUnit,
-    const std::array<int, 2>& size, const std::array<std::vector<double>, 3>& borders,
-    const std::vector<unsigned char>& visible, const UnitSpace& space,
+    const std::array<int, 2>& size, BlockLattice lattice, const UnitSpace& space,
     const std::array<std::array<double, 2>, 3>& box, double margin);
 };
 

@@ -4,8 +4,6 @@
 #include "Plan/BoxCutTable.h"
 #include "Space/UnitSpace.h"
 #include "Space/UnitVector.h"
-#include "Volume/BlockLattice.h"
-#include "Volume/VolumeBlocks.h"
 
 #include "vtkSMPTools.h"
 
@@ -152,19 +150,9 @@ std::vector<std::vector<Block>> Distribute(
 
 }
 
-void SlicePolygons::Build(const SlicePlan::Sweep& sweep, const VolumeBlocks& blocks,
+void SlicePolygons::Build(const SlicePlan::Sweep& sweep, BlockLattice lattice,
   const UnitSpace& space, const std::array<std::array<double, 2>, 3>& box, double margin)
 {
-  const std::array<std::vector<double>, 3> borders{ { blocks.GetBorders(0), blocks.GetBorders(1),
-    blocks.GetBorders(2) } };
-  this->Build(sweep, borders, blocks.GetVisible(), space, box, margin);
-}
-
-void SlicePolygons::Build(const SlicePlan::Sweep& sweep,
-  const std::array<std::vector<double>, 3>& borders, const std::vector<unsigned char>& visible,
-  const UnitSpace& space, const std::array<std::array<double, 2>, 3>& box, double margin)
-{
-  BlockLattice lattice(borders, visible);
   lattice.Crop(box, space.GetMargins(margin));
   lattice.Join();
 

@@ -4,15 +4,14 @@
 
 #include "Plan/SlabTriangles.h"
 #include "Plan/SlicePlan.h"
+#include "Volume/BlockLattice.h"
 
 #include <array>
-#include <vector>
 
 namespace interlume
 {
 
 class UnitSpace;
-class VolumeBlocks;
 
 /**
  * @class   SlicePolygons
@@ -29,20 +28,12 @@ class SlicePolygons : public SlabTriangles
 {
 public:
   /**
-   * Cuts all slabs. \a box is the box of the matter in texture coordinates, \a margin the length by
-   * which its outer blocks are enlarged, in unit space. Threads share the slabs; the triangles are
-   * the same for any number of threads.
+   * Cuts all slabs. \a box is the box of the medium in texture coordinates: blocks outside of it
+   * are skipped, others cut at it, and the first and last reach to it. \a margin is the length by
+   * which outer blocks are enlarged, in unit space. Threads share the slabs; the triangles are the
+   * same for any number of threads.
    */
-  void Build(const SlicePlan::Sweep& sweep, const VolumeBlocks& blocks, const UnitSpace& space,
-    const std::array<std::array<double, 2>, 3>& box, double margin);
-
-  /**
-   * Cuts all slabs from block borders along each axis, in texture coordinates, one more than
-   * blocks, and from which blocks are visible, x fastest. Blocks outside of the box are left out,
-   * others cut at it; the first and last reach to it.
-   */
-  void Build(const SlicePlan::Sweep& sweep, const std::array<std::vector<double>, 3>& borders,
-    const std::vector<unsigned char>& visible, const UnitSpace& space,
+  void Build(const SlicePlan::Sweep& sweep, BlockLattice lattice, const UnitSpace& space,
     const std::array<std::array<double, 2>, 3>& box, double margin);
 };
 

@@ -2,6 +2,8 @@
 #ifndef interlume_VolumeBlocks_h
 #define interlume_VolumeBlocks_h
 
+#include "Volume/BlockLattice.h"
+
 #include <array>
 #include <vector>
 
@@ -44,8 +46,10 @@ public:
     const auto row = static_cast<std::size_t>(k) * this->Size[1] + j;
     return this->Visible[row * this->Size[0] + i] != 0;
   }
-  /// Whether each is visible, x fastest.
-  const std::vector<unsigned char>& GetVisible() const { return this->Visible; }
+  BlockLattice GetLattice() const
+  {
+    return { { { this->GetBorders(0), this->GetBorders(1), this->GetBorders(2) } }, this->Visible };
+  }
   /// Where block borders lie along \a axis, in texture coordinates 0 to 1: one more than blocks.
   std::vector<double> GetBorders(int axis) const;
 
