@@ -76,8 +76,9 @@ const std::vector<SliceFeatures::Choice>& SliceFeatures::GetTable()
     { "volume", "VOLUME_NUMBER=1", EVERY },
     { "light", "LIGHT_NUMBER=1", LIGHT | RECEIVER },
     // Colors of light within the medium.
-    { "light colors", "TRANSMISSION", IMAGE, "LIT", "ROWS=2 ROWS=3 ROWS=4 OPACITY_OF=a" },
-    { "light colors", "TRANSMISSION", LIGHT | RECEIVER, "", "ROWS=2 ROWS=3 ROWS=4 OPACITY_OF=a" },
+    { "light colors", "TRANSMISSION", IMAGE, "LIT", "MATTER ROWS=2 ROWS=3 ROWS=4 OPACITY_OF=a" },
+    { "light colors", "TRANSMISSION", LIGHT | RECEIVER, "",
+      "MATTER ROWS=2 ROWS=3 ROWS=4 OPACITY_OF=a" },
     { "light colors", "TRANSMISSION GREY", IMAGE, "LIT" },
     { "light colors", "TRANSMISSION GREY", LIGHT | RECEIVER },
     // Fragments that are drawn apart from others.
