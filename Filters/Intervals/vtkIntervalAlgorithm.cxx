@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIntervalAlgorithm.h"
 
+#include "Pass/GhostCells.h"
+#include "Static/DataSetLeaves.h"
+
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 
 vtkIntervalAlgorithm::vtkIntervalAlgorithm()
 {
@@ -27,6 +33,34 @@ void vtkIntervalAlgorithm::SetInterval(int i, double lower, double upper)
 void vtkIntervalAlgorithm::GetInterval(int i, double& lower, double& upper) const
 {
   this->Intervals.Get(i, lower, upper);
+}
+
+int vtkIntervalAlgorithm::FillInputPortInformation(int, vtkInformation* info)
+{
+  interlume::DataSetLeaves::FillInput(info, "vtkDataSet");
+  return 1;
+}
+
+int vtkIntervalAlgorithm::FillOutputPortInformation(int, vtkInformation* info)
+{
+  interlume::DataSetLeaves::FillOutput(info);
+  return 1;
+}
+
+vtkTypeBool vtkIntervalAlgorithm::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT())
+    ? interlume::DataSetLeaves::RequestDataObject(inputs, outputs)
+    : this->Superclass::ProcessRequest(request, inputs, outputs);
+}
+
+int vtkIntervalAlgorithm::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  interlume::GhostCells::Request(
+    inputs[0]->GetInformationObject(0), outputs->GetInformationObject(0));
+  return 1;
 }
 
 void vtkIntervalAlgorithm::WarnOfEmptyOutput(const std::string& why)

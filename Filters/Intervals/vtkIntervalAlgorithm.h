@@ -77,6 +77,13 @@ protected:
   {
     return this->Intervals.GetAll();
   }
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  /// Creates outputs that are unstructured grids or composite datasets, as the input is.
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  /// Requests a layer of ghost cells where one of several pieces is requested.
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   /// Warns that the output is empty, where there is a reason, and a warning is wanted.
   void WarnOfEmptyOutput(const std::string& why);
 

@@ -5,16 +5,13 @@
 #include "Common/IntervalCheck.h"
 #include "Grid/WholeCells.h"
 #include "Output/KeptMemory.h"
-#include "Output/ProcessBalance.h"
 #include "Pass/ExtractionIndex.h"
-#include "Pass/GhostCells.h"
-#include "Static/EmptyResult.h"
+#include "Static/DataSetLeaves.h"
 #include "Static/Extraction.h"
 #include "Static/ExtractionInput.h"
-#include "Static/RefinementLevels.h"
+#include "Static/ExtractionRun.h"
 
 #include "vtkCellData.h"
-#include "vtkCommand.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -44,10 +41,7 @@ double ReadNumber(const std::string& text)
 
 vtkIntervalVolume::vtkIntervalVolume()
   : Index(vtkSmartPointer<interlume::ExtractionIndex>::New())
-  , Empty(std::make_unique<interlume::EmptyResult>())
 {
-  this->AddObserver(vtkCommand::StartEvent, this, &vtkIntervalVolume::BeginExecution);
-  this->AddObserver(vtkCommand::EndEvent, this, &vtkIntervalVolume::EndExecution);
   this->SetNumberOfOutputPorts(2);
 }
 
@@ -98,21 +92,6 @@ void vtkIntervalVolume::GetCriterionRange(int i, double& lower, double& upper) c
   }
 }
 
-int vtkIntervalVolume::FillInputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  return 1;
-}
-
-int vtkIntervalVolume::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
-  vtkInformationVector* outputs, int port, vtkMTimeType* time)
-{
-  // The pipeline asks once before it executes, but runs the filter for each leaf of a composite
-  // input.
-  this->IsFirstRun = true;
-  return this->Superclass::ComputePipelineMTime(request, inputs, outputs, port, time);
-}
-
 std::string vtkIntervalVolume::CheckParameters(vtkDataSet* input) const
 {
   std::string wrongInterval = interlume::ExtractionInput::CheckIntervals(this->GetIntervals());
@@ -144,59 +123,55 @@ std::string vtkIntervalVolume::CheckParameters(vtkDataSet* input) const
   return std::string();
 }
 
-int vtkIntervalVolume::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
-  interlume::GhostCells::Request(
-    inputs[0]->GetInformationObject(0), outputs->GetInformationObject(0));
-  return 1;
-}
-
 int vtkIntervalVolume::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (this->IsFirstRun)
+  interlume::ExtractionRun run(
+    this,
+    [this](vtkDataSet* input, int& association)
+    { return this->GetInputAbstractArrayToProcess(0, input, association); },
+    this->Report);
+  this->Index->BeginExecution();
+  this->BeginMemory();
+  interlume::DataSetLeaves::ForEach(this, inputs, outputs,
+    [&](vtkDataSet* input, const std::vector<vtkUnstructuredGrid*>& grids)
+    { this->ExtractFrom(input, run, grids[0], grids[1]); });
+  this->EndMemory();
+  run.Finish({ this->GetIntervals(), interlume::EmptyResult::Describe(this->GetIntervals()),
+               this->GetNumberOfIntervals() == 0 ? "no interval is set." : "" },
+    this->GetReportBalance(), this->GetWarnOnEmptyOutput());
+  return 1;
+}
+
+void vtkIntervalVolume::ExtractFrom(vtkDataSet* input, interlume::ExtractionRun& run,
+  vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary)
+{
+  if (input->GetNumberOfPoints() == 0 || this->GetNumberOfIntervals() == 0)
   {
-    this->Report = vtkExtractionReport();
-    this->Index->BeginExecution();
-    this->BeginMemory();
-    this->IsFirstRun = false;
+    return;
   }
-  vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
-  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
-  vtkUnstructuredGrid* boundary = vtkUnstructuredGrid::GetData(outputs, 1);
-  if (!input || input->GetNumberOfPoints() == 0 || this->GetNumberOfIntervals() == 0)
+  vtkDataArray* scalars = run.FindScalars(input, [&] { return this->CheckParameters(input); });
+  if (!scalars)
   {
-    return 1;
-  }
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkAbstractArray* array = this->GetInputAbstractArrayToProcess(0, inputs, association);
-  std::string wrong = interlume::ExtractionInput::CheckScalars(
-    input, array, association, interlume::ExtractionInput::DescribeArrayToProcess(this));
-  wrong = wrong.empty() ? this->CheckParameters(input) : wrong;
-  if (!wrong.empty())
-  {
-    vtkErrorMacro(<< wrong);
-    this->Empty->NoteMessage();
-    return 1;
+    return;
   }
   const interlume::KeptMemory::Use use(this->Memory.get());
   const int passes = 1 + this->GetNumberOfCriteria();
-  this->SetProgressShiftScale(0.0, 1.0 / passes);
-  vtkDataArray* scalars = vtkDataArray::SafeDownCast(array);
+  const double begin = this->GetProgressShift();
+  const double share = this->GetProgressScale() / passes;
+  this->SetProgressShiftScale(begin, share);
   this->SetProgressText("Extracting the intervals");
   interlume::WholePass wholePass;
   interlume::WholePass* const whole = this->KeepWholeCells ? &wholePass : nullptr;
-  bool completed = this->ExtractIntervals(input, scalars, whole, output, boundary);
-  this->Empty->Add(input, scalars, output->GetNumberOfCells());
+  bool completed = this->ExtractIntervals(input, scalars, run, whole, output, boundary);
+  run.GetEmptyResult().Add(input, scalars, output->GetNumberOfCells());
   for (int pass = 1; completed && pass < passes; ++pass)
   {
     this->SetProgressText(
       ("Cutting to the criterion on " + this->Criteria[pass - 1].ArrayName).c_str());
-    this->SetProgressShiftScale(static_cast<double>(pass) / passes, 1.0 / passes);
-    completed = this->ApplyCriterion(pass - 1, whole, output, boundary);
+    this->SetProgressShiftScale(begin + pass * share, share);
+    completed = this->ApplyCriterion(pass - 1, run, whole, output, boundary);
   }
-  this->SetProgressShiftScale(0.0, 1.0);
   for (vtkUnstructuredGrid* grid : { output, boundary })
   {
     if (completed)
@@ -207,11 +182,10 @@ int vtkIntervalVolume::RequestData(
     {
       grid->Initialize();
     }
-    // The pipeline has passed field data on to the outputs, which criteria and an abort empty.
+    // The outputs had the field data, which criteria and an abort clear.
     grid->GetFieldData()->ShallowCopy(input->GetFieldData());
   }
   this->Report.Passes = completed ? passes : this->Report.Passes;
-  return 1;
 }
 
 void vtkIntervalVolume::BeginMemory()
@@ -239,7 +213,8 @@ void vtkIntervalVolume::EndMemory()
 }
 
 bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalars,
-  interlume::WholePass* whole, vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary)
+  interlume::ExtractionRun& run, interlume::WholePass* whole, vtkUnstructuredGrid* output,
+  vtkUnstructuredGrid* boundary)
 {
   for (const Criterion& criterion : this->Criteria)
   {
@@ -262,17 +237,12 @@ bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalar
   extraction.KeepOrigins = this->KeepOrigins && this->Criteria.empty();
   extraction.Whole = whole;
   const bool completed = extraction.Execute(input, scalars, output, boundary, report);
-  this->Report.Add(report);
-  for (const std::string& warning :
-    interlume::ExtractionInput::GetWarnings(input, this->GetOutputPointsPrecision(), report))
-  {
-    vtkWarningMacro(<< warning);
-  }
+  run.Add(input, this->GetOutputPointsPrecision(), report);
   return completed;
 }
 
-bool vtkIntervalVolume::ApplyCriterion(
-  int number, interlume::WholePass* whole, vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary)
+bool vtkIntervalVolume::ApplyCriterion(int number, interlume::ExtractionRun& run,
+  interlume::WholePass* whole, vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary)
 {
   const Criterion& criterion = this->Criteria[number];
   vtkNew<vtkUnstructuredGrid> before;
@@ -295,49 +265,12 @@ bool vtkIntervalVolume::ApplyCriterion(
   std::ostringstream words;
   words << "the criterion on \"" << criterion.ArrayName << "\" from " << criterion.Lower << " to "
         << criterion.Upper;
-  this->Empty->AddCriterion(
+  run.GetEmptyResult().AddCriterion(
     number, words.str(), array, before->GetNumberOfCells(), grid->GetNumberOfCells());
   this->Report.CollapsedSimplices += report.CollapsedSimplices;
   this->Report.WorkingBytes = std::max(this->Report.WorkingBytes,
     report.WorkingBytes + 1024 * static_cast<vtkIdType>(before->GetActualMemorySize()));
   return completed;
-}
-
-void vtkIntervalVolume::BeginExecution()
-{
-  this->Empty->Enter();
-}
-
-void vtkIntervalVolume::EndExecution()
-{
-  if (!this->Empty->Leave())
-  {
-    return;
-  }
-  if (this->IsFirstRun)
-  {
-    // There was no dataset at all.
-    this->Report = vtkExtractionReport();
-    this->BeginMemory();
-  }
-  this->EndMemory();
-  int association;
-  interlume::RefinementLevels::Count(
-    this->GetInputDataObject(0, 0), this->GetIntervals(),
-    [this, &association](vtkDataSet* block)
-    { return this->GetInputAbstractArrayToProcess(0, block, association); },
-    this->Report);
-  for (const std::string& warning : interlume::RefinementLevels::GetWarnings(this->Report))
-  {
-    vtkWarningMacro(<< warning);
-  }
-  if (this->GetReportBalance())
-  {
-    interlume::ProcessBalance::Gather(this, this->Report);
-  }
-  this->WarnOfEmptyOutput(
-    this->Empty->Explain(this, this->GetNumberOfIntervals() == 0 ? "no interval is set." : "",
-      interlume::EmptyResult::Describe(this->GetIntervals())));
 }
 
 void vtkIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)

@@ -16,8 +16,8 @@ class vtkDataSet;
 
 namespace interlume
 {
-class EmptyResult;
 class ExtractionIndex;
+class ExtractionRun;
 class KeptMemory;
 struct WholePass;
 }
@@ -104,17 +104,17 @@ struct WholePass;
  *
  * Errors (vtkErrorMacro, empty output): no scalar array of that name, more than one component, a
  * string array, lower > upper, a bound that is not finite or was given as a word, global ids that
- * are not one integer for each point, a cell with fewer points than its type needs, with points that
- * do not exist, or without its faces.
+ * are not one integer for each point, a cell with fewer points than its type needs, with points
+ * that do not exist, or without its faces.
  *
  * Warning (vtkWarningMacro, once for a composite input): an empty output and why, see
  * WarnOnEmptyOutput; a criterion that leaves nothing is a reason too. Warnings for each dataset:
  * quadratic cells, concave polyhedra, cells with a NaN or infinite coordinate, and images and
  * rectilinear grids so far from the origin that output points in single precision are off by more
- * than a hundredth of a cell; cells that are folded or cross themselves, as hexahedra with the point
- * order of voxels do; coordinates of a rectilinear grid that turn back or repeat. Of AMR datasets,
- * whose levels are extracted one by one: cells below a finer level that are not blanked, and faces
- * between two levels that an isovalue crosses, where surfaces have gaps.
+ * than a hundredth of a cell; cells that are folded or cross themselves, as hexahedra with the
+ * point order of voxels do; coordinates of a rectilinear grid that turn back or repeat. Of AMR
+ * datasets, whose levels are extracted one by one: cells below a finer level that are not blanked,
+ * and faces between two levels that an isovalue crosses, where surfaces have gaps.
  *
  * @sa vtkIsotableContour vtkIsotable
  */
@@ -209,9 +209,6 @@ public:
   vtkBooleanMacro(KeepMemory, bool);
   ///@}
 
-  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
-    vtkInformationVector* outputs, int port, vtkMTimeType* time) override;
-
   /**
    * Returns what the last execution did.
    */
@@ -221,8 +218,6 @@ protected:
   vtkIntervalVolume();
   ~vtkIntervalVolume() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -240,19 +235,16 @@ private:
 
   /// Returns why the intervals or criteria cannot be used, or nothing.
   std::string CheckParameters(vtkDataSet* input) const;
+  /// Extracts from one dataset.
+  void ExtractFrom(vtkDataSet* input, interlume::ExtractionRun& run, vtkUnstructuredGrid* output,
+    vtkUnstructuredGrid* boundary);
   /// Runs the first pass; \a whole is null where cells are not kept whole. Returns false when the
   /// user aborted.
-  bool ExtractIntervals(vtkDataSet* input, vtkDataArray* scalars, interlume::WholePass* whole,
-    vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary);
+  bool ExtractIntervals(vtkDataSet* input, vtkDataArray* scalars, interlume::ExtractionRun& run,
+    interlume::WholePass* whole, vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary);
   /// Runs a further pass, over the result of the one before.
-  bool ApplyCriterion(int number, interlume::WholePass* whole, vtkUnstructuredGrid* grid,
-    vtkUnstructuredGrid* boundary);
-
-  ///@{
-  /// Begins and ends an execution, over one dataset or over all.
-  void BeginExecution();
-  void EndExecution();
-  ///@}
+  bool ApplyCriterion(int number, interlume::ExtractionRun& run, interlume::WholePass* whole,
+    vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary);
 
   ///@{
   /// Begins and ends what memory is kept in an execution.
@@ -267,12 +259,9 @@ private:
   bool UseValueIndex = true;
   bool KeepMemory = false;
   vtkExtractionReport Report;
-  /// Whether the next RequestData is the first of an execution.
-  bool IsFirstRun = true;
   vtkSmartPointer<interlume::ExtractionIndex> Index;
   /// Null where no memory is kept.
   std::unique_ptr<interlume::KeptMemory> Memory;
-  std::unique_ptr<interlume::EmptyResult> Empty;
 };
 
 #endif

@@ -3,16 +3,14 @@
 
 #include "Arrays/ExtractionArrays.h"
 #include "Common/IntervalCheck.h"
-#include "Output/ProcessBalance.h"
 #include "Pass/ExtractionIndex.h"
 #include "Pass/GhostCells.h"
-#include "Static/EmptyResult.h"
+#include "Static/DataSetLeaves.h"
 #include "Static/Extraction.h"
-#include "Static/ExtractionInput.h"
-#include "Static/RefinementLevels.h"
+#include "Static/ExtractionRun.h"
 
-#include "vtkCommand.h"
 #include "vtkDataSet.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -28,10 +26,7 @@ constexpr int MaximumNumberOfContours = 20000;
 
 vtkIsotableContour::vtkIsotableContour()
   : Index(vtkSmartPointer<interlume::ExtractionIndex>::New())
-  , Empty(std::make_unique<interlume::EmptyResult>())
 {
-  this->AddObserver(vtkCommand::StartEvent, this, &vtkIsotableContour::BeginExecution);
-  this->AddObserver(vtkCommand::EndEvent, this, &vtkIsotableContour::EndExecution);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
@@ -74,17 +69,22 @@ double vtkIsotableContour::GetValue(int i) const
 
 int vtkIsotableContour::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  interlume::DataSetLeaves::FillInput(info, "vtkDataSet");
   return 1;
 }
 
-int vtkIsotableContour::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
-  vtkInformationVector* outputs, int port, vtkMTimeType* time)
+int vtkIsotableContour::FillOutputPortInformation(int, vtkInformation* info)
 {
-  // The pipeline asks once before it executes, but runs the filter for each leaf of a composite
-  // input.
-  this->IsFirstRun = true;
-  return this->Superclass::ComputePipelineMTime(request, inputs, outputs, port, time);
+  interlume::DataSetLeaves::FillOutput(info);
+  return 1;
+}
+
+vtkTypeBool vtkIsotableContour::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT())
+    ? interlume::DataSetLeaves::RequestDataObject(inputs, outputs)
+    : this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
 int vtkIsotableContour::RequestUpdateExtent(
@@ -98,32 +98,48 @@ int vtkIsotableContour::RequestUpdateExtent(
 int vtkIsotableContour::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (this->IsFirstRun)
+  interlume::ExtractionRun run(
+    this,
+    [this](vtkDataSet* input, int& association)
+    { return this->GetInputAbstractArrayToProcess(0, input, association); },
+    this->Report);
+  this->Index->BeginExecution();
+  interlume::DataSetLeaves::ForEach(this, inputs, outputs,
+    [&](vtkDataSet* input, const std::vector<vtkUnstructuredGrid*>& grids)
+    { this->ExtractFrom(input, run, grids[0]); });
+  std::vector<vtkIntervalList::Interval> surfaces;
+  for (const double value : this->Values)
   {
-    this->Report = vtkExtractionReport();
-    this->Index->BeginExecution();
-    this->IsFirstRun = false;
+    surfaces.push_back({ { value, value } });
   }
-  vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
-  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs);
-  if (!input || input->GetNumberOfPoints() == 0 || this->Values.empty())
+  run.Finish({ surfaces, interlume::EmptyResult::Describe(this->Values),
+               this->Values.empty() ? "no value is set." : "" },
+    this->ReportBalance, this->WarnOnEmptyOutput);
+  return 1;
+}
+
+std::string vtkIsotableContour::CheckValues() const
+{
+  std::string error;
+  for (std::size_t i = 0; error.empty() && i < this->Values.size(); ++i)
   {
-    return 1;
-  }
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkAbstractArray* array = this->GetInputAbstractArrayToProcess(0, inputs, association);
-  std::string wrong = interlume::ExtractionInput::CheckScalars(
-    input, array, association, interlume::ExtractionInput::DescribeArrayToProcess(this));
-  for (std::size_t i = 0; wrong.empty() && i < this->Values.size(); ++i)
-  {
-    wrong = interlume::IntervalCheck::Find(
+    error = interlume::IntervalCheck::Find(
       "Value " + std::to_string(i), this->Values[i], this->Values[i]);
   }
-  if (!wrong.empty())
+  return error;
+}
+
+void vtkIsotableContour::ExtractFrom(
+  vtkDataSet* input, interlume::ExtractionRun& run, vtkUnstructuredGrid* output)
+{
+  if (input->GetNumberOfPoints() == 0 || this->Values.empty())
   {
-    vtkErrorMacro(<< wrong);
-    this->Empty->NoteMessage();
-    return 1;
+    return;
+  }
+  vtkDataArray* scalars = run.FindScalars(input, [this] { return this->CheckValues(); });
+  if (!scalars)
+  {
+    return;
   }
   const interlume::ExtractionValues values = interlume::ExtractionValues::ForContours(this->Values);
   vtkExtractionReport report;
@@ -134,65 +150,15 @@ int vtkIsotableContour::RequestData(
   extraction.IdName = "ContourId";
   extraction.OutputPointsPrecision = this->OutputPointsPrecision;
   extraction.SharePoints = this->MergePoints;
-  vtkDataArray* scalars = vtkDataArray::SafeDownCast(array);
   this->SetProgressText("Extracting the isosurfaces");
   if (!extraction.Execute(input, scalars, output, nullptr, report))
   {
     output->Initialize();
   }
   interlume::ExtractionArrays::ActivateScalars(scalars->GetName(), output->GetPointData());
-  this->Empty->Add(input, scalars, output->GetNumberOfCells());
+  run.GetEmptyResult().Add(input, scalars, output->GetNumberOfCells());
   report.Passes = 1;
-  this->Report.Add(report);
-  for (const std::string& warning :
-    interlume::ExtractionInput::GetWarnings(input, this->OutputPointsPrecision, report))
-  {
-    vtkWarningMacro(<< warning);
-  }
-  return 1;
-}
-
-void vtkIsotableContour::BeginExecution()
-{
-  this->Empty->Enter();
-}
-
-void vtkIsotableContour::EndExecution()
-{
-  if (!this->Empty->Leave())
-  {
-    return;
-  }
-  if (this->IsFirstRun)
-  {
-    // There was no dataset at all.
-    this->Report = vtkExtractionReport();
-  }
-  std::vector<vtkIntervalList::Interval> surfaces;
-  for (const double value : this->Values)
-  {
-    surfaces.push_back({ { value, value } });
-  }
-  int association;
-  interlume::RefinementLevels::Count(
-    this->GetInputDataObject(0, 0), surfaces,
-    [this, &association](vtkDataSet* block)
-    { return this->GetInputAbstractArrayToProcess(0, block, association); },
-    this->Report);
-  for (const std::string& warning : interlume::RefinementLevels::GetWarnings(this->Report))
-  {
-    vtkWarningMacro(<< warning);
-  }
-  if (this->ReportBalance)
-  {
-    interlume::ProcessBalance::Gather(this, this->Report);
-  }
-  const std::string why = this->Empty->Explain(this, this->Values.empty() ? "no value is set." : "",
-    interlume::EmptyResult::Describe(this->Values));
-  if (this->WarnOnEmptyOutput && !why.empty())
-  {
-    vtkWarningMacro("The output is empty: " << why);
-  }
+  run.Add(input, this->OutputPointsPrecision, report);
 }
 
 void vtkIsotableContour::PrintSelf(ostream& os, vtkIndent indent)

@@ -7,13 +7,15 @@
 #include "vtkSmartPointer.h"          // for the value index
 #include "vtkUnstructuredGridAlgorithm.h"
 
-#include <memory> // for what an empty output is explained by
+#include <string> // for messages
 #include <vector> // for the values
+
+class vtkDataSet;
 
 namespace interlume
 {
-class EmptyResult;
 class ExtractionIndex;
+class ExtractionRun;
 }
 
 /**
@@ -125,9 +127,6 @@ public:
   vtkBooleanMacro(ReportBalance, bool);
   ///@}
 
-  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
-    vtkInformationVector* outputs, int port, vtkMTimeType* time) override;
-
   /**
    * Returns what the last execution did.
    */
@@ -138,18 +137,21 @@ protected:
   ~vtkIsotableContour() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  /// Creates an output that is an unstructured grid or a composite dataset, as the input is.
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-
-  ///@{
-  /// Begins and ends an execution, over one dataset or over all.
-  void BeginExecution();
-  void EndExecution();
-  ///@}
 
 private:
   vtkIsotableContour(const vtkIsotableContour&) = delete;
   void operator=(const vtkIsotableContour&) = delete;
+
+  /// Returns an error message if a value is invalid, otherwise an empty string.
+  std::string CheckValues() const;
+  /// Extracts from one dataset.
+  void ExtractFrom(vtkDataSet* input, interlume::ExtractionRun& run, vtkUnstructuredGrid* output);
 
   std::vector<double> Values;
   int OutputPointsPrecision = DEFAULT_PRECISION;
@@ -158,10 +160,7 @@ private:
   bool WarnOnEmptyOutput = true;
   bool ReportBalance = false;
   vtkExtractionReport Report;
-  /// Whether the next RequestData is the first of an execution.
-  bool IsFirstRun = true;
   vtkSmartPointer<interlume::ExtractionIndex> Index;
-  std::unique_ptr<interlume::EmptyResult> Empty;
 };
 
 #endif

@@ -5,16 +5,17 @@
 #include "Pass/NonFinitePoints.h"
 #include "Scalars/ExtractionDispatch.h"
 #include "Scalars/ExtractionScalars.h"
+#include "Static/DataSetLeaves.h"
 #include "Static/EmptyResult.h"
 #include "Static/ExtractionInput.h"
 #include "TimeVarying/SimplexSlicer.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
-#include "vtkCommand.h"
-#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleKey.h"
@@ -50,16 +51,13 @@ void FillTime(vtkPointData* points, vtkIdType number, double time)
   points->AddArray(times);
 }
 
-void AddTimes(vtkDataObject* leaf, double range[2])
+// Marks an output as that of the requested time, if there is a request.
+void SetRequestedTime(vtkInformation* request, vtkDataObject* output)
 {
-  vtkDataSet* input = vtkDataSet::SafeDownCast(leaf);
-  vtkDataArray* times = input ? input->GetPointData()->GetArray(TimeName) : nullptr;
-  if (times && times->GetNumberOfComponents() == 1 && times->GetNumberOfTuples() > 0)
+  vtkInformationDoubleKey* key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
+  if (request && request->Has(key))
   {
-    double own[2];
-    times->GetFiniteRange(own, 0);
-    range[0] = std::min(range[0], own[0]);
-    range[1] = std::max(range[1], own[1]);
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), request->Get(key));
   }
 }
 
@@ -69,34 +67,42 @@ void FindTimes(vtkDataObject* input, double range[2])
 {
   range[0] = std::numeric_limits<double>::infinity();
   range[1] = -std::numeric_limits<double>::infinity();
-  vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (!composite)
+  for (vtkDataSet* leaf : interlume::DataSetLeaves::Get(input))
   {
-    AddTimes(input, range);
-    return;
-  }
-  const auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
-  {
-    AddTimes(at->GetCurrentDataObject(), range);
+    vtkDataArray* times = leaf ? leaf->GetPointData()->GetArray(TimeName) : nullptr;
+    if (times && times->GetNumberOfComponents() == 1 && times->GetNumberOfTuples() > 0)
+    {
+      double own[2];
+      times->GetFiniteRange(own, 0);
+      range[0] = std::min(range[0], own[0]);
+      range[1] = std::max(range[1], own[1]);
+    }
   }
 }
 }
 
-vtkSimplexTimeSlice::vtkSimplexTimeSlice()
-  : InputRange{ 0.0, -1.0 }
-  , Empty(std::make_unique<interlume::EmptyResult>())
-{
-  this->AddObserver(vtkCommand::StartEvent, this, &vtkSimplexTimeSlice::BeginExecution);
-  this->AddObserver(vtkCommand::EndEvent, this, &vtkSimplexTimeSlice::WarnIfEmpty);
-}
+vtkSimplexTimeSlice::vtkSimplexTimeSlice() = default;
 
 vtkSimplexTimeSlice::~vtkSimplexTimeSlice() = default;
 
 int vtkSimplexTimeSlice::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  interlume::DataSetLeaves::FillInput(info, "vtkUnstructuredGrid");
   return 1;
+}
+
+int vtkSimplexTimeSlice::FillOutputPortInformation(int, vtkInformation* info)
+{
+  interlume::DataSetLeaves::FillOutput(info);
+  return 1;
+}
+
+vtkTypeBool vtkSimplexTimeSlice::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT())
+    ? interlume::DataSetLeaves::RequestDataObject(inputs, outputs)
+    : this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
 int vtkSimplexTimeSlice::RequestInformation(
@@ -120,15 +126,6 @@ int vtkSimplexTimeSlice::RequestInformation(
   return 1;
 }
 
-void vtkSimplexTimeSlice::BeginExecution()
-{
-  if (this->Empty->Enter())
-  {
-    FindTimes(this->GetInputDataObject(0, 0), this->InputRange);
-    this->Report = vtkSimplexTimeSliceReport();
-  }
-}
-
 double vtkSimplexTimeSlice::GetTimeOfSlice(vtkInformation* output) const
 {
   vtkInformationDoubleKey* asked = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
@@ -142,35 +139,63 @@ double vtkSimplexTimeSlice::GetTimeOfSlice(vtkInformation* output) const
 int vtkSimplexTimeSlice::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputs[0]);
-  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs);
-  if (!input || input->GetNumberOfPoints() == 0)
-  {
-    return 1;
-  }
+  FindTimes(vtkDataObject::GetData(inputs[0]), this->InputRange);
+  vtkInformation* info = outputs->GetInformationObject(0);
+  this->Report = vtkSimplexTimeSliceReport();
+  this->Report.Time = this->GetTimeOfSlice(info);
   this->SetProgressText("Cutting the 4-simplices");
-  vtkInformation* outputInformation = outputs->GetInformationObject(0);
-  const double time = this->GetTimeOfSlice(outputInformation);
-  this->Report.Time = time;
-  this->Report.Simplices += input->GetNumberOfCells();
-  vtkAbstractArray* array = input->GetPointData()->GetAbstractArray(TimeName);
-  const std::string wrong = interlume::ExtractionInput::CheckScalars(
-    input, array, vtkDataObject::FIELD_ASSOCIATION_POINTS, "point array \"Time\"");
-  if (!wrong.empty())
+  vtkInformation* request = this->FollowTime ? info : nullptr;
+  interlume::EmptyResult empty;
+  interlume::DataSetLeaves::ForEach(this, inputs, outputs,
+    [&](vtkDataSet* input, const std::vector<vtkUnstructuredGrid*>& grids)
+    { this->Slice(input, request, grids[0], empty); });
+  if (vtkCompositeDataSet* composite = vtkCompositeDataSet::GetData(info))
   {
-    vtkErrorMacro(<< wrong);
-    this->Empty->NoteMessage();
-    return 1;
+    SetRequestedTime(request, composite);
   }
-  if (!std::isfinite(time))
+  if (this->WarnOnEmptyOutput && empty.IsUnexplained(this))
   {
-    vtkErrorMacro("The time of the slice is " << time << "; it has to be finite.");
-    this->Empty->NoteMessage();
-    return 1;
+    vtkWarningMacro("The output is empty: " << this->ExplainEmpty());
   }
+  return 1;
+}
+
+std::string vtkSimplexTimeSlice::CheckTimes(vtkUnstructuredGrid* input) const
+{
+  const std::string error = interlume::ExtractionInput::CheckScalars(input,
+    input->GetPointData()->GetAbstractArray(TimeName), vtkDataObject::FIELD_ASSOCIATION_POINTS,
+    "point array \"Time\"");
+  if (!error.empty() || std::isfinite(this->Report.Time))
+  {
+    return error;
+  }
+  std::ostringstream words;
+  words << "The time of the slice is " << this->Report.Time << "; it has to be finite.";
+  return words.str();
+}
+
+void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
+  vtkUnstructuredGrid* output, interlume::EmptyResult& empty)
+{
+  vtkUnstructuredGrid* input = vtkUnstructuredGrid::SafeDownCast(dataset);
+  if (dataset->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  this->Report.Simplices += dataset->GetNumberOfCells();
+  const std::string error = input ? this->CheckTimes(input)
+                                  : std::string("A dataset of the input is a ") +
+      dataset->GetClassName() + "; 4-simplices are the cells of a vtkUnstructuredGrid.";
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+    empty.NoteMessage();
+    return;
+  }
+  const double time = this->Report.Time;
   const interlume::ExtractionValues values = interlume::ExtractionValues::ForContours({ time });
   const vtkSmartPointer<vtkDataArray> times =
-    interlume::ExtractionDispatch::MakeContiguous(vtkDataArray::SafeDownCast(array));
+    interlume::ExtractionDispatch::MakeContiguous(input->GetPointData()->GetArray(TimeName));
   interlume::ExtractionContext context;
   context.Owner = this;
   context.Values = &values;
@@ -188,7 +213,7 @@ int vtkSimplexTimeSlice::RequestData(
   interlume::SimplexSlicer::Slice slice;
   if (!interlume::SimplexSlicer::Execute(context, input, slice))
   {
-    return 1;
+    return;
   }
   if (slice.WrongCell >= 0)
   {
@@ -197,8 +222,8 @@ int vtkSimplexTimeSlice::RequestData(
               << " is no 4-simplex, which is a VTK_POLY_VERTEX of five points: it has type "
               << input->GetCellType(slice.WrongCell) << " and "
               << input->GetCells()->GetCellSize(slice.WrongCell) << " points.");
-    this->Empty->NoteMessage();
-    return 1;
+    empty.NoteMessage();
+    return;
   }
   output->SetPoints(
     interlume::ExtractionArrays::MakePoints(input, slice.Points, vtkAlgorithm::DEFAULT_PRECISION));
@@ -210,7 +235,7 @@ int vtkSimplexTimeSlice::RequestData(
   this->UpdateProgress(0.95);
   interlume::ExtractionArrays::CopyCellData(cellData, slice.CellIds.GetData(),
     static_cast<vtkIdType>(slice.CellIds.GetSize()), output->GetCellData());
-  this->Empty->Add(input, nullptr, output->GetNumberOfCells());
+  empty.Add(input, nullptr, output->GetNumberOfCells());
   this->Report.Tetrahedra += output->GetNumberOfCells();
   this->Report.NonFiniteSimplices += slice.NonFiniteCells;
   const std::string skipped = nonFinite.Describe(input, true);
@@ -218,21 +243,11 @@ int vtkSimplexTimeSlice::RequestData(
   {
     vtkWarningMacro(<< skipped);
   }
-  if (this->FollowTime &&
-    outputInformation->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
-  {
-    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(),
-      outputInformation->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()));
-  }
-  return 1;
+  SetRequestedTime(request, output);
 }
 
-void vtkSimplexTimeSlice::WarnIfEmpty()
+std::string vtkSimplexTimeSlice::ExplainEmpty() const
 {
-  if (!this->Empty->Leave())
-  {
-    return;
-  }
   std::ostringstream why;
   if (this->InputRange[0] > this->InputRange[1])
   {
@@ -245,10 +260,7 @@ void vtkSimplexTimeSlice::WarnIfEmpty()
     why << "no 4-simplex has an extent in space at the time " << this->Report.Time
         << "; their times go from " << this->InputRange[0] << " to " << this->InputRange[1] << ".";
   }
-  if (this->WarnOnEmptyOutput && this->Empty->IsUnexplained(this))
-  {
-    vtkWarningMacro("The output is empty: " << why.str());
-  }
+  return why.str();
 }
 
 void vtkSimplexTimeSlice::PrintSelf(ostream& os, vtkIndent indent)

@@ -6,7 +6,9 @@
 #include "vtkSimplexTimeSliceReport.h" // for the report
 #include "vtkUnstructuredGridAlgorithm.h"
 
-#include <memory> // for what an empty output is explained by
+#include <string> // for messages
+
+class vtkDataSet;
 
 namespace interlume
 {
@@ -104,16 +106,23 @@ protected:
   ~vtkSimplexTimeSlice() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  /// Creates an output that is an unstructured grid or a composite dataset, as the input is.
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /// Returns the time to cut at for what is asked of the output.
   double GetTimeOfSlice(vtkInformation* output) const;
-  ///@{
-  /// Begins and ends an execution, over one dataset or over all.
-  void BeginExecution();
-  void WarnIfEmpty();
-  ///@}
+  /// Slices one dataset. \a request may have the time requested of the output; null for none.
+  void Slice(vtkDataSet* dataset, vtkInformation* request, vtkUnstructuredGrid* output,
+    interlume::EmptyResult& empty);
+  /// Returns an error message if the array of times or the time of the slice is invalid, otherwise
+  /// an empty string.
+  std::string CheckTimes(vtkUnstructuredGrid* input) const;
+  /// Returns why there is no output.
+  std::string ExplainEmpty() const;
 
 private:
   vtkSimplexTimeSlice(const vtkSimplexTimeSlice&) = delete;
@@ -123,8 +132,7 @@ private:
   bool FollowTime = true;
   bool WarnOnEmptyOutput = true;
   /// The first and last time of the input; the first is above the last where the input has none.
-  double InputRange[2];
-  std::unique_ptr<interlume::EmptyResult> Empty;
+  double InputRange[2] = { 0.0, -1.0 };
   vtkSimplexTimeSliceReport Report;
 };
 

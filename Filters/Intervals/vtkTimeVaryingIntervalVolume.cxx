@@ -2,14 +2,11 @@
 #include "vtkTimeVaryingIntervalVolume.h"
 
 #include "Output/ProcessBalance.h"
-#include "Pass/GhostCells.h"
 #include "Static/EmptyResult.h"
 #include "Static/ExtractionInput.h"
 #include "TimeVarying/TimeVaryingRun.h"
 
-#include "vtkDataObjectTypes.h"
 #include "vtkDataSet.h"
-#include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -60,51 +57,6 @@ void vtkTimeVaryingIntervalVolume::SetGenerateBoundaries(bool on)
   {
     this->SetGenerateBoundary(kind, on);
   }
-}
-
-int vtkTimeVaryingIntervalVolume::FillInputPortInformation(int, vtkInformation* info)
-{
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  return 1;
-}
-
-int vtkTimeVaryingIntervalVolume::FillOutputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
-  return 1;
-}
-
-vtkTypeBool vtkTimeVaryingIntervalVolume::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
-  return request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT())
-    ? this->RequestDataObject(inputs, outputs)
-    : this->Superclass::ProcessRequest(request, inputs, outputs);
-}
-
-int vtkTimeVaryingIntervalVolume::RequestDataObject(
-  vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
-  vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
-  if (!input)
-  {
-    return 0;
-  }
-  const char* wanted = interlume::TimeVaryingRun::GetOutputType(input);
-  for (int port = 0; port < NumberOfPorts; ++port)
-  {
-    vtkInformation* info = outputs->GetInformationObject(port);
-    vtkDataObject* output = vtkDataObject::GetData(info);
-    if (!output || std::string(output->GetClassName()) != wanted)
-    {
-      const auto made =
-        vtkSmartPointer<vtkDataObject>::Take(vtkDataObjectTypes::NewDataObject(wanted));
-      info->Set(vtkDataObject::DATA_OBJECT(), made);
-    }
-  }
-  return 1;
 }
 
 int vtkTimeVaryingIntervalVolume::RequestInformation(
@@ -191,10 +143,9 @@ std::vector<double> vtkTimeVaryingIntervalVolume::GetTimesTaken() const
 }
 
 int vtkTimeVaryingIntervalVolume::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  interlume::GhostCells::Request(
-    inputs[0]->GetInformationObject(0), outputs->GetInformationObject(0));
+  this->Superclass::RequestUpdateExtent(request, inputs, outputs);
   const std::vector<double> times = this->GetTimesTaken();
   if (this->Run || !times.empty())
   {

@@ -193,12 +193,6 @@ protected:
   vtkTimeVaryingIntervalVolume();
   ~vtkTimeVaryingIntervalVolume() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
-  vtkTypeBool ProcessRequest(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  /// Makes outputs that are unstructured grids or composite datasets, as the input is.
-  int RequestDataObject(vtkInformationVector** inputs, vtkInformationVector* outputs);
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

@@ -97,17 +97,6 @@ void EmptyResult::Range::Add(vtkDataArray* array)
   }
 }
 
-bool EmptyResult::Enter()
-{
-  const int depth = this->Depth + 1;
-  if (depth == 1)
-  {
-    *this = EmptyResult();
-  }
-  this->Depth = depth;
-  return depth == 1;
-}
-
 void EmptyResult::Add(vtkDataSet* input, vtkDataArray* scalars, vtkIdType simplices)
 {
   this->Simplices += simplices;

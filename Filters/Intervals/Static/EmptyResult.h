@@ -19,7 +19,7 @@ namespace interlume
 
 /**
  * @class   EmptyResult
- * @brief   says why an execution gave nothing
+ * @brief   explains why an execution has an empty output
  *
  * Follows one execution over all datasets of a composite input, so that it is said once for the
  * whole, and not for a dataset beside others that gave something. Costs nothing where there is
@@ -28,16 +28,6 @@ namespace interlume
 class EmptyResult
 {
 public:
-  ///@{
-  /**
-   * Note a StartEvent and an EndEvent of the filter: the pipeline sends a pair for each dataset of
-   * a composite input, within a pair for the whole. Both return whether the event was that of the
-   * whole. Enter forgets the execution before.
-   */
-  bool Enter();
-  bool Leave() { return --this->Depth == 0; }
-  ///@}
-
   /// Notes a dataset and how many simplices came of it, before criteria. Each may be missing.
   void Add(vtkDataSet* input, vtkDataArray* scalars, vtkIdType simplices);
 
@@ -105,7 +95,6 @@ private:
   vtkIdType Simplices = 0;
   vtkIdType SimplicesLeft = 0;
   bool IsExplained = false;
-  int Depth = 0;
 };
 
 }

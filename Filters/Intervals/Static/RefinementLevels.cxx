@@ -246,7 +246,8 @@ void RefinementLevels::Count(vtkDataObject* input,
         block.Mark(other);
       }
     }
-    vtkDataArray* scalars = vtkDataArray::SafeDownCast(findArray(block.GetImage()));
+    int association;
+    vtkDataArray* scalars = vtkDataArray::SafeDownCast(findArray(block.GetImage(), association));
     if (scalars && ArrayCheck::FindPointFault(block.GetImage(), scalars, 1).empty())
     {
       block.Count(scalars, intervals, report);

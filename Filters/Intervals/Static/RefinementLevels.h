@@ -16,6 +16,9 @@ struct vtkExtractionReport;
 namespace interlume
 {
 
+/// Returns the array of a dataset that a filter processes, and its association.
+using ArrayFinder = std::function<vtkAbstractArray*(vtkDataSet* input, int& association)>;
+
 /**
  * @class   RefinementLevels
  * @brief   checks the levels of an AMR dataset, which are extracted one by one
@@ -27,9 +30,6 @@ namespace interlume
 class RefinementLevels
 {
 public:
-  /// Returns the scalars of a dataset, or null.
-  using ArrayFinder = std::function<vtkAbstractArray*(vtkDataSet*)>;
-
   /// Adds the counts to \a report. An isosurface is an interval of zero width.
   static void Count(vtkDataObject* input, const std::vector<vtkIntervalList::Interval>& intervals,
     const ArrayFinder& findArray, vtkExtractionReport& report);

@@ -3,14 +3,12 @@
 
 #include "Arrays/ExtractionArrays.h"
 #include "Common/ArrayMatch.h"
+#include "Static/DataSetLeaves.h"
 #include "Static/ExtractionInput.h"
-#include "Static/RefinementLevels.h"
 #include "TimeVarying/TimeVaryingExtraction.h"
 #include "TimeVarying/TimeVaryingOutput.h"
 
 #include "vtkAlgorithm.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkTimeVaryingReport.h"
@@ -26,65 +24,6 @@ namespace
 {
 // The part of the progress until the outputs are made.
 constexpr double ExtractionShare = 0.7;
-
-// Returns the datasets of an input, with null for blocks that are none.
-std::vector<vtkDataSet*> GetLeaves(vtkDataObject* input)
-{
-  std::vector<vtkDataSet*> leaves;
-  vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (!composite)
-  {
-    leaves.push_back(vtkDataSet::SafeDownCast(input));
-    return leaves;
-  }
-  const auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  at->SkipEmptyNodesOff();
-  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
-  {
-    leaves.push_back(vtkDataSet::SafeDownCast(at->GetCurrentDataObject()));
-  }
-  return leaves;
-}
-
-// The output's datasets for those of an input, made where there are meshes.
-class OutputLeaves
-{
-public:
-  explicit OutputLeaves(vtkDataObject* output)
-    : Single(vtkUnstructuredGrid::SafeDownCast(output))
-    , Composite(vtkCompositeDataSet::SafeDownCast(output))
-  {
-    if (this->Composite)
-    {
-      this->At.TakeReference(this->Composite->NewIterator());
-      this->At->SkipEmptyNodesOff();
-      this->At->InitTraversal();
-    }
-  }
-
-  // Returns the next dataset; null where \a isNeeded is not set.
-  vtkUnstructuredGrid* GetNext(bool isNeeded)
-  {
-    if (!this->Composite)
-    {
-      return this->Single;
-    }
-    vtkUnstructuredGrid* made = nullptr;
-    if (isNeeded && !this->At->IsDoneWithTraversal())
-    {
-      vtkNew<vtkUnstructuredGrid> grid;
-      this->Composite->SetDataSet(this->At, grid);
-      made = grid;
-    }
-    this->At->GoToNextItem();
-    return made;
-  }
-
-private:
-  vtkUnstructuredGrid* Single;
-  vtkCompositeDataSet* Composite;
-  vtkSmartPointer<vtkCompositeDataIterator> At;
-};
 }
 
 TimeVaryingRun::TimeVaryingRun(vtkAlgorithm* owner, const ArrayFinder& findArray,
@@ -101,16 +40,6 @@ TimeVaryingRun::TimeVaryingRun(vtkAlgorithm* owner, const ArrayFinder& findArray
 {
 }
 
-const char* TimeVaryingRun::GetOutputType(vtkDataObject* input)
-{
-  if (vtkDataObjectTree::SafeDownCast(input))
-  {
-    return input->GetClassName();
-  }
-  // Levels of images cannot hold unstructured grids.
-  return vtkCompositeDataSet::SafeDownCast(input) ? "vtkMultiBlockDataSet" : "vtkUnstructuredGrid";
-}
-
 void TimeVaryingRun::CopyStructure(vtkDataObject* input, vtkDataObject* output)
 {
   if (vtkDataObjectTree* tree = vtkDataObjectTree::SafeDownCast(input))
@@ -119,7 +48,7 @@ void TimeVaryingRun::CopyStructure(vtkDataObject* input, vtkDataObject* output)
   }
   else if (vtkMultiBlockDataSet* blocks = vtkMultiBlockDataSet::SafeDownCast(output))
   {
-    blocks->SetNumberOfBlocks(static_cast<unsigned int>(GetLeaves(input).size()));
+    blocks->SetNumberOfBlocks(static_cast<unsigned int>(DataSetLeaves::Get(input).size()));
   }
 }
 
@@ -152,7 +81,7 @@ std::string TimeVaryingRun::CheckScalars(vtkDataSet* input, vtkDataArray*& scala
 std::string TimeVaryingRun::AddStep(vtkDataObject* input, Results& result)
 {
   result = ABORTED;
-  const std::vector<vtkDataSet*> leaves = GetLeaves(input);
+  const std::vector<vtkDataSet*> leaves = DataSetLeaves::Get(input);
   if (this->NextStep == 0)
   {
     for (std::size_t number = 0; number < leaves.size(); ++number)
@@ -189,11 +118,7 @@ std::string TimeVaryingRun::AddStep(vtkDataObject* input, Results& result)
   this->NoteEmptiness();
   if (hasSlab)
   {
-    int association;
-    RefinementLevels::Count(
-      input, this->Intervals,
-      [this, &association](vtkDataSet* block) { return this->FindArray(block, association); },
-      this->Report);
+    RefinementLevels::Count(input, this->Intervals, this->FindArray, this->Report);
   }
   this->IsJoined = hasSlab;
   this->Report.Slabs += hasSlab;

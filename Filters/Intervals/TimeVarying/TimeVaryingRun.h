@@ -4,17 +4,16 @@
 
 #include "Scalars/ExtractionValues.h"
 #include "Static/EmptyResult.h"
+#include "Static/RefinementLevels.h"
 #include "TimeVarying/TimeStep.h"
 #include "TimeVarying/TimeVaryingMesh.h"
 
 #include "vtkSmartPointer.h"
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
-class vtkAbstractArray;
 class vtkAlgorithm;
 class vtkDataObject;
 struct vtkTimeVaryingReport;
@@ -41,9 +40,6 @@ public:
     OVERWRITTEN
   };
 
-  /// Gives the array of a dataset that is to be processed, and its association.
-  using ArrayFinder = std::function<vtkAbstractArray*(vtkDataSet*, int&)>;
-
   /// Begins a run. \a times are those of the steps to be taken, of which the first is step \a
   /// firstStep of the input.
   TimeVaryingRun(vtkAlgorithm* owner, const ArrayFinder& findArray,
@@ -66,8 +62,6 @@ public:
   /// Returns the object that says why there is nothing, once all steps are taken.
   EmptyResult& GetEmptyResult() { return this->Empty; }
 
-  /// Returns the type of the outputs for an input: an unstructured grid, or a composite dataset.
-  static const char* GetOutputType(vtkDataObject* input);
   /// Gives a composite output the blocks of its input.
   static void CopyStructure(vtkDataObject* input, vtkDataObject* output);
 

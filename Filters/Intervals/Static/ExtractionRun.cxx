@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Static/ExtractionRun.h"
+
+#include "Output/ProcessBalance.h"
+#include "Static/ExtractionInput.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkExtractionReport.h"
+
+#include <utility>
+
+namespace interlume
+{
+
+ExtractionRun::ExtractionRun(
+  vtkAlgorithm* owner, ArrayFinder findArray, vtkExtractionReport& report)
+  : Owner(owner)
+  , FindArray(std::move(findArray))
+  , Report(report)
+{
+  report = vtkExtractionReport();
+}
+
+vtkDataArray* ExtractionRun::FindScalars(
+  vtkDataSet* input, const std::function<std::string()>& findError)
+{
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkAbstractArray* array = this->FindArray(input, association);
+  std::string error = ExtractionInput::CheckScalars(
+    input, array, association, ExtractionInput::DescribeArrayToProcess(this->Owner));
+  error = error.empty() ? findError() : error;
+  if (!error.empty())
+  {
+    vtkErrorWithObjectMacro(this->Owner, << error);
+    this->Empty.NoteMessage();
+    return nullptr;
+  }
+  return vtkDataArray::SafeDownCast(array);
+}
+
+void ExtractionRun::Add(vtkDataSet* input, int precision, const vtkExtractionReport& report)
+{
+  this->Report.Add(report);
+  for (const std::string& warning : ExtractionInput::GetWarnings(input, precision, report))
+  {
+    vtkWarningWithObjectMacro(this->Owner, << warning);
+  }
+}
+
+void ExtractionRun::Finish(const Goal& goal, bool gathersBalance, bool warnsIfEmpty)
+{
+  RefinementLevels::Count(
+    this->Owner->GetInputDataObject(0, 0), goal.Intervals, this->FindArray, this->Report);
+  for (const std::string& warning : RefinementLevels::GetWarnings(this->Report))
+  {
+    vtkWarningWithObjectMacro(this->Owner, << warning);
+  }
+  if (gathersBalance)
+  {
+    ProcessBalance::Gather(this->Owner, this->Report);
+  }
+  const std::string why = this->Empty.Explain(this->Owner, goal.Unset, goal.Sought);
+  if (warnsIfEmpty && !why.empty())
+  {
+    vtkWarningWithObjectMacro(this->Owner, "The output is empty: " << why);
+  }
+}
+
+}

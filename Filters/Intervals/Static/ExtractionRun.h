@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_ExtractionRun_h
+#define interlume_ExtractionRun_h
+
+#include "Static/EmptyResult.h"
+#include "Static/RefinementLevels.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkDataArray;
+class vtkDataSet;
+struct vtkExtractionReport;
+
+namespace interlume
+{
+
+/**
+ * @class   ExtractionRun
+ * @brief   one execution of an extraction filter over all datasets of its input
+ *
+ * It checks the scalars of each dataset, adds up the reports, and issues the filter's errors and
+ * warnings.
+ */
+class ExtractionRun
+{
+public:
+  /// Clears \a report, which must outlive the run.
+  ExtractionRun(vtkAlgorithm* owner, ArrayFinder findArray, vtkExtractionReport& report);
+
+  /// Returns the scalars of a dataset. Returns null after an error message if they or, by
+  /// \a findError, the filter's parameters are invalid.
+  vtkDataArray* FindScalars(vtkDataSet* input, const std::function<std::string()>& findError);
+
+  /// Adds the report of a dataset, and warns of what it says.
+  void Add(vtkDataSet* input, int precision, const vtkExtractionReport& report);
+
+  EmptyResult& GetEmptyResult() { return this->Empty; }
+
+  /// What a filter is set to extract.
+  struct Goal
+  {
+    /// An isosurface is an interval of zero width.
+    std::vector<vtkIntervalList::Interval> Intervals;
+    /// The goal in words, and the reason for an empty output if there is none: see EmptyResult.
+    std::string Sought;
+    std::string Unset;
+  };
+
+  /// Ends the run: checks levels of refinement, gathers the load balance if \a gathersBalance is
+  /// true, and warns of an empty output if \a warnsIfEmpty is true.
+  void Finish(const Goal& goal, bool gathersBalance, bool warnsIfEmpty);
+
+private:
+  vtkAlgorithm* Owner;
+  ArrayFinder FindArray;
+  vtkExtractionReport& Report;
+  EmptyResult Empty;
+};
+
+}
+
+#endif
