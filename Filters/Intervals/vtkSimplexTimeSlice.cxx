@@ -2,6 +2,7 @@
 #include "vtkSimplexTimeSlice.h"
 
 #include "Arrays/ExtractionArrays.h"
+#include "Arrays/PointArrays.h"
 #include "Pass/NonFinitePoints.h"
 #include "Scalars/ExtractionDispatch.h"
 #include "Scalars/ExtractionScalars.h"
@@ -225,12 +226,12 @@ void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
     empty.NoteMessage();
     return;
   }
-  output->SetPoints(
-    interlume::ExtractionArrays::MakePoints(input, slice.Points, vtkAlgorithm::DEFAULT_PRECISION));
+  interlume::PointArrays arrays(input, vtkAlgorithm::DEFAULT_PRECISION);
+  arrays.Fill(slice.Points);
+  output->SetPoints(arrays.GetPoints());
   output->SetCells(VTK_TETRA, slice.Tetrahedra.MakeCells());
   this->UpdateProgress(0.85);
-  interlume::ExtractionArrays::InterpolatePointData(
-    input->GetPointData(), slice.Points, output->GetPointData());
+  arrays.AddTo(output->GetPointData());
   FillTime(output->GetPointData(), output->GetNumberOfPoints(), time);
   this->UpdateProgress(0.95);
   interlume::ExtractionArrays::CopyCellData(cellData, slice.CellIds.GetData(),

@@ -34,6 +34,21 @@ struct AnyValues
   }
 };
 
+// Two arrays, the second of which has the points from Split on.
+template <typename Source>
+struct Pair
+{
+  Source First;
+  Source Second;
+  vtkIdType Split;
+
+  double Get(vtkIdType point, int component, int components) const
+  {
+    return point < this->Split ? this->First.Get(point, component, components)
+                               : this->Second.Get(point - this->Split, component, components);
+  }
+};
+
 template <typename Source, typename Out>
 class Typed : public ArrayInterpolator
 {
@@ -78,31 +93,46 @@ private:
   Source In;
   int Components;
 };
+
+template <typename Source>
+std::unique_ptr<ArrayInterpolator> MakeTyped(const Source& source, int components, int outType)
+{
+  if (outType == VTK_FLOAT)
+  {
+    return std::make_unique<Typed<Source, float>>(source, components);
+  }
+  return std::make_unique<Typed<Source, double>>(source, components);
+}
 }
 
-std::unique_ptr<ArrayInterpolator> ArrayInterpolator::Make(vtkDataArray* in, int outType)
+std::unique_ptr<ArrayInterpolator> ArrayInterpolator::Make(
+  vtkDataArray* first, vtkDataArray* second, vtkIdType split, int outType)
 {
+  const bool isSingle = first == second;
+  const int components = first->GetNumberOfComponents();
   std::unique_ptr<ArrayInterpolator> made;
-  const auto make = [&](const auto& source)
-  {
-    using Source = std::decay_t<decltype(source)>;
-    const int components = in->GetNumberOfComponents();
-    if (outType == VTK_FLOAT)
-    {
-      made = std::make_unique<Typed<Source, float>>(source, components);
-    }
-    else
-    {
-      made = std::make_unique<Typed<Source, double>>(source, components);
-    }
-    return true;
-  };
-  const bool isContiguous = ExtractionDispatch::Execute(in,
+  ExtractionDispatch::Execute(first,
     [&](const auto* values)
-    { return make(Contiguous<std::decay_t<decltype(*values)>>{ values }); });
-  if (!isContiguous)
+    {
+      using T = std::decay_t<decltype(*values)>;
+      using Source = Contiguous<T>;
+      auto* other = vtkAOSDataArrayTemplate<T>::FastDownCast(second);
+      if (isSingle)
+      {
+        made = MakeTyped(Source{ values }, components, outType);
+      }
+      else if (other)
+      {
+        made = MakeTyped(
+          Pair<Source>{ { values }, { other->GetPointer(0) }, split }, components, outType);
+      }
+      return true;
+    });
+  if (!made)
   {
-    make(AnyValues{ in });
+    made = isSingle
+      ? MakeTyped(AnyValues{ first }, components, outType)
+      : MakeTyped(Pair<AnyValues>{ { first }, { second }, split }, components, outType);
   }
   return made;
 }

@@ -16,13 +16,15 @@ namespace interlume
  * @class   ArrayInterpolator
  * @brief   interpolates an array of numbers at a few points at a time
  *
- * The values have the bytes that ExtractionArrays gives. Any number of threads may use one.
+ * Any number of threads may use one.
  */
 class ArrayInterpolator
 {
 public:
-  /// Makes that of \a in, which must outlive it, for results of type VTK_FLOAT or VTK_DOUBLE.
-  static std::unique_ptr<ArrayInterpolator> Make(vtkDataArray* in, int outType);
+  /// Creates an interpolator for results of type VTK_FLOAT or VTK_DOUBLE. Ids from \a split on are
+  /// tuples of \a second, which may be the first array too. Both must outlive the result.
+  static std::unique_ptr<ArrayInterpolator> Make(
+    vtkDataArray* first, vtkDataArray* second, vtkIdType split, int outType);
 
   virtual ~ArrayInterpolator() = default;
 

@@ -2,9 +2,6 @@
 #ifndef interlume_ExtractionArrays_h
 #define interlume_ExtractionArrays_h
 
-#include "Output/ExtractionBuffer.h"
-#include "Output/ExtractionPoint.h"
-
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -13,14 +10,13 @@ class vtkCellData;
 class vtkDataSet;
 class vtkDataSetAttributes;
 class vtkPointData;
-class vtkPoints;
 
 namespace interlume
 {
 
 /**
  * @class   ExtractionArrays
- * @brief   coordinates and arrays of output points and cells
+ * @brief   the arrays of output points and cells: which there are, and of what types
  *
  * Numeric point arrays are interpolated along the grid edge and come out as float (from float, and
  * 8 and 16 bit integers) or double; others take the value of the nearer end. Global ids, pedigree
@@ -31,22 +27,6 @@ class ExtractionArrays
 public:
   /// Returns the type of output points for a precision of vtkAlgorithm: VTK_FLOAT or VTK_DOUBLE.
   static int ChoosePointType(vtkDataSet* input, int precision);
-
-  /// Makes the output points; \a precision is one of vtkAlgorithm.
-  static vtkSmartPointer<vtkPoints> MakePoints(
-    vtkDataSet* input, const ExtractionBuffer<ExtractionPoint>& points, int precision);
-
-  /// Interpolates the point arrays. Returns their number.
-  static int InterpolatePointData(
-    vtkPointData* input, const ExtractionBuffer<ExtractionPoint>& points, vtkPointData* output);
-
-  /**
-   * Interpolates the point arrays from two grids of \a split points each, where ids from \a split
-   * on are points of the second: the arrays that correspond in both. Their names are keys
-   * (ArrayMatch), so that those of several calls can be told apart too.
-   */
-  static int InterpolatePointData(vtkPointData* first, vtkPointData* second, vtkIdType split,
-    const ExtractionBuffer<ExtractionPoint>& points, vtkPointData* output);
 
   /// Copies the cell arrays. \a cells has the input cell of each of \a number output cells. Returns
   /// the number of arrays.
@@ -70,8 +50,8 @@ public:
   /// array without a name (null or empty) has the role already: else it could not have been chosen.
   static void ActivateScalars(const char* name, vtkPointData* output);
 
-  /// Makes the array of \a number points that \a in is interpolated in, without values.
-  static vtkSmartPointer<vtkAbstractArray> NewInterpolated(vtkAbstractArray* in, vtkIdType number);
+  /// Creates the array that \a in is interpolated in, without values.
+  static vtkSmartPointer<vtkAbstractArray> NewInterpolated(vtkAbstractArray* in);
 
   /// Returns the data type that an array of \a dataType is interpolated in.
   static int GetInterpolatedType(int dataType);

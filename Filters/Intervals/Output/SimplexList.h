@@ -54,30 +54,21 @@ public:
     this->Number = number;
     this->Size = size;
     this->NumberOfWhole = wholeCells;
-    this->Narrow = nullptr;
-    this->Wide = nullptr;
-    this->NarrowOffsets = nullptr;
-    this->WideOffsets = nullptr;
+    this->Narrow = {};
+    this->Wide = {};
     const vtkIdType ids = number * size + wholeIds;
-    const auto allocate = [&](auto& values, auto& offsets)
+    const auto allocate = [&](auto& list)
     {
-      using Array = std::decay_t<decltype(*values)>;
-      values = vtkSmartPointer<Array>::New();
-      ExtractionMemory::SetNumberOfTuples(values, ids);
+      using Array = std::decay_t<decltype(*list.Values)>;
+      list.Values = vtkSmartPointer<Array>::New();
+      ExtractionMemory::SetNumberOfTuples(list.Values, ids);
       if (wholeCells > 0)
       {
-        offsets = this->NewOffsets<Array>();
-        Set(offsets->GetPointer(0)[number + wholeCells], ids);
+        list.Offsets = this->NewOffsets<Array>();
+        Set(list.Offsets->GetPointer(0)[number + wholeCells], ids);
       }
     };
-    if (AreIdsNarrow(numberOfPoints, ids))
-    {
-      allocate(this->Narrow, this->NarrowOffsets);
-    }
-    else
-    {
-      allocate(this->Wide, this->WideOffsets);
-    }
+    AreIdsNarrow(numberOfPoints, ids) ? allocate(this->Narrow) : allocate(this->Wide);
     this->FindIds();
   }
 
@@ -87,24 +78,23 @@ public:
   /// Returns the number of ids of all cells, and one of them; those of whole cells are the last.
   vtkIdType GetNumberOfIds() const
   {
-    return this->Wide ? this->Wide->GetNumberOfValues()
-      : this->Narrow  ? this->Narrow->GetNumberOfValues()
-                      : 0;
+    vtkIdType number = 0;
+    this->VisitList([&number](const auto& list) { number = list.Values->GetNumberOfValues(); });
+    return number;
   }
   vtkIdType GetIdAt(vtkIdType at) const
   {
-    return this->Wide ? static_cast<vtkIdType>(this->Wide->GetValue(at))
-                      : static_cast<vtkIdType>(this->Narrow->GetValue(at));
+    return this->Wide.Ids ? static_cast<vtkIdType>(this->Wide.Ids[at])
+                          : static_cast<vtkIdType>(this->Narrow.Ids[at]);
   }
 
   /// Returns the places [first, last) of a whole cell's ids among all ids.
   std::pair<vtkIdType, vtkIdType> GetWhole(vtkIdType cell) const
   {
     const vtkIdType at = this->Number + cell;
-    return this->Wide ? std::make_pair<vtkIdType, vtkIdType>(
-                          this->WideOffsets->GetValue(at), this->WideOffsets->GetValue(at + 1))
-                      : std::make_pair<vtkIdType, vtkIdType>(
-                          this->NarrowOffsets->GetValue(at), this->NarrowOffsets->GetValue(at + 1));
+    std::pair<vtkIdType, vtkIdType> places;
+    this->VisitAll([&](auto*, const auto* offsets) { places = { offsets[at], offsets[at + 1] }; });
+    return places;
   }
 
   /// Calls visit(cell, ids, number) for the whole cells, by any number of threads.
@@ -173,7 +163,7 @@ public:
     constexpr vtkIdType leastCells = 4;
     if (this->IsStreamed && cells >= leastCells)
     {
-      IdRun::Stream(this->NarrowIds + place, ids, cells);
+      IdRun::Stream(this->Narrow.Ids + place, ids, cells);
       return;
     }
     this->Visit([&](auto* values) { IdRun::Write(values + place, ids, cells); });
@@ -219,14 +209,7 @@ public:
   template <typename Visitor>
   void Visit(Visitor&& visit) const
   {
-    if (this->Narrow)
-    {
-      visit(this->NarrowIds);
-    }
-    else if (this->Wide)
-    {
-      visit(this->WideIds);
-    }
+    this->VisitList([&visit](const auto& list) { visit(list.Ids); });
   }
 
   /// Calls \a visit(id) for the points of all cells, by any number of threads.
@@ -313,14 +296,8 @@ public:
   vtkSmartPointer<vtkCellArray> MakeCells()
   {
     auto cells = vtkSmartPointer<vtkCellArray>::New();
-    if (this->Narrow)
-    {
-      cells->SetData(this->MakeOffsets(this->NarrowOffsets), this->Narrow);
-    }
-    else if (this->Wide)
-    {
-      cells->SetData(this->MakeOffsets(this->WideOffsets), this->Wide);
-    }
+    this->VisitList(
+      [&](const auto& list) { cells->SetData(this->MakeOffsets(list.Offsets), list.Values); });
     return cells;
   }
 
@@ -328,7 +305,8 @@ public:
   SimplexList CopySimplices() const
   {
     SimplexList copy;
-    copy.Allocate(this->Number, this->Size, this->Wide ? std::numeric_limits<vtkIdType>::max() : 0);
+    copy.Allocate(
+      this->Number, this->Size, this->Wide.Values ? std::numeric_limits<vtkIdType>::max() : 0);
     copy.Visit(
       [this](auto* values)
       {
@@ -341,29 +319,52 @@ public:
   }
 
 private:
-  // Asks the arrays for their values once, since simplices are written one by one.
+  // The ids of all cells, and their memory: simplices are written one by one.
+  template <typename Array>
+  struct IdList
+  {
+    vtkSmartPointer<Array> Values;
+    typename Array::ValueType* Ids = nullptr;
+    // The offsets of all cells, where there are whole cells; else null.
+    vtkSmartPointer<Array> Offsets;
+
+    void FindIds() { this->Ids = this->Values ? this->Values->GetPointer(0) : nullptr; }
+  };
+
   void FindIds()
   {
-    this->NarrowIds = this->Narrow ? this->Narrow->GetPointer(0) : nullptr;
-    this->WideIds = this->Wide ? this->Wide->GetPointer(0) : nullptr;
+    this->Narrow.FindIds();
+    this->Wide.FindIds();
     this->IsStreamed =
-      this->Size == 4 && this->NarrowIds && IdRun::IsStreamed(this->NarrowIds, this->Number);
+      this->Size == 4 && this->Narrow.Ids && IdRun::IsStreamed(this->Narrow.Ids, this->Number);
+  }
+
+  // Visits the list that is there.
+  template <typename Visitor>
+  void VisitList(Visitor&& visit) const
+  {
+    if (this->Narrow.Values)
+    {
+      visit(this->Narrow);
+    }
+    else if (this->Wide.Values)
+    {
+      visit(this->Wide);
+    }
   }
 
   // Gives up the room after the last cell, whose ids end at \a ids.
   void Shorten(vtkIdType ids)
   {
-    const auto shorten = [](auto& array, vtkIdType size)
-    {
-      if (array)
+    this->VisitList(
+      [&](const auto& list)
       {
-        ExtractionMemory::Shorten(array, size);
-      }
-    };
-    shorten(this->Narrow, ids);
-    shorten(this->Wide, ids);
-    shorten(this->NarrowOffsets, this->Number + this->NumberOfWhole + 1);
-    shorten(this->WideOffsets, this->Number + this->NumberOfWhole + 1);
+        ExtractionMemory::Shorten(list.Values, ids);
+        if (list.Offsets)
+        {
+          ExtractionMemory::Shorten(list.Offsets, this->Number + this->NumberOfWhole + 1);
+        }
+      });
     this->FindIds();
   }
 
@@ -371,14 +372,7 @@ private:
   template <typename Visitor>
   void VisitAll(Visitor&& visit) const
   {
-    if (this->Narrow)
-    {
-      visit(this->Narrow->GetPointer(0), this->NarrowOffsets->GetPointer(0));
-    }
-    else
-    {
-      visit(this->Wide->GetPointer(0), this->WideOffsets->GetPointer(0));
-    }
+    this->VisitList([&visit](const auto& list) { visit(list.Ids, list.Offsets->GetPointer(0)); });
   }
 
   template <typename Id>
@@ -429,16 +423,11 @@ private:
   vtkIdType Number = 0;
   int Size = 4;
   vtkIdType NumberOfWhole = 0;
-  vtkSmartPointer<vtkTypeInt32Array> Narrow;
-  vtkSmartPointer<vtkTypeInt64Array> Wide;
-  // The values of the one that is there.
-  vtkTypeInt32* NarrowIds = nullptr;
-  vtkTypeInt64* WideIds = nullptr;
+  // One of these is there.
+  IdList<vtkTypeInt32Array> Narrow;
+  IdList<vtkTypeInt64Array> Wide;
   // Whether runs of ids are written past the cache.
   bool IsStreamed = false;
-  // The offsets of all cells, where there are whole cells; else null.
-  vtkSmartPointer<vtkTypeInt32Array> NarrowOffsets;
-  vtkSmartPointer<vtkTypeInt64Array> WideOffsets;
 };
 
 }

@@ -74,32 +74,31 @@ void RemoveWhole(ExtractionMesh& mesh, const std::vector<bool>& isRemoved, vtkId
 // Leaves out the boundary triangles that are marked.
 void RemoveTriangles(ExtractionMesh& mesh, const std::vector<bool>& isRemoved)
 {
-  std::size_t kept = 0;
+  std::vector<vtkIdType> removed;
   for (std::size_t t = 0; t < isRemoved.size(); ++t)
   {
-    if (!isRemoved[t])
+    if (isRemoved[t])
     {
-      const vtkIdType to = static_cast<vtkIdType>(kept);
-      const vtkIdType from = static_cast<vtkIdType>(t);
-      mesh.Triangles[kept] = mesh.Triangles[t];
-      mesh.TriangleItemIds->SetValue(to, mesh.TriangleItemIds->GetValue(from));
-      mesh.TriangleSides->SetValue(to, mesh.TriangleSides->GetValue(from));
-      if (!mesh.TriangleCellIds.empty())
-      {
-        mesh.TriangleCellIds[kept] = mesh.TriangleCellIds[t];
-      }
-      if (!mesh.TriangleWholes.empty())
-      {
-        mesh.TriangleWholes[kept] = mesh.TriangleWholes[t];
-      }
-      ++kept;
+      removed.push_back(static_cast<vtkIdType>(t));
     }
   }
-  mesh.Triangles.resize(kept);
-  mesh.TriangleItemIds->SetNumberOfValues(static_cast<vtkIdType>(kept));
-  mesh.TriangleSides->SetNumberOfValues(static_cast<vtkIdType>(kept));
-  mesh.TriangleCellIds.resize(mesh.TriangleCellIds.empty() ? 0 : kept);
-  mesh.TriangleWholes.resize(mesh.TriangleWholes.empty() ? 0 : kept);
+  const KeptRuns kept(removed, static_cast<vtkIdType>(isRemoved.size()));
+  const auto keep = [&kept](auto& values)
+  {
+    if (!values.empty())
+    {
+      kept.Compact(values.data(), 1);
+      values.resize(static_cast<std::size_t>(kept.GetNumber()));
+    }
+  };
+  keep(mesh.Triangles);
+  keep(mesh.TriangleCellIds);
+  keep(mesh.TriangleWholes);
+  for (vtkIntArray* array : { mesh.TriangleItemIds.Get(), mesh.TriangleSides.Get() })
+  {
+    kept.Compact(array->GetPointer(0), 1);
+    array->SetNumberOfValues(kept.GetNumber());
+  }
 }
 
 // Marks the points in use anew.

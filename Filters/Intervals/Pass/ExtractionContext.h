@@ -30,7 +30,6 @@ namespace interlume
 
 class ExtractionIndex;
 class PointArrays;
-class SoupArrays;
 class WholeCells;
 
 /**
@@ -173,9 +172,9 @@ struct ExtractionContext : Blanking
   ExtractionIndex* Index = nullptr;
   /// Which cells are passed on whole; null where none are.
   const WholeCells* Whole = nullptr;
-  /// Takes the points of triangles that share none, in place of the mesh; null where they are
-  /// shared.
-  SoupArrays* Soup = nullptr;
+  /// Takes the corners of triangles that share no points, in place of the mesh; null where points
+  /// are shared.
+  PointArrays* Unshared = nullptr;
   /// Takes the points of the mesh, where they can be written without a list of all; null where a
   /// list is needed.
   PointArrays* Arrays = nullptr;

@@ -8,8 +8,9 @@ namespace interlume
 {
 
 /**
- * The loops of ExtractionKernels over the rows of a grid, compiled for wider vectors too; which of
- * them is run, the machine decides. They are of integers: the results are the same.
+ * Loops over the rows of a grid, compiled for wider vectors too; the machine decides which version
+ * is run. They are of integers: the results are the same. Compilers make vector code of them: no
+ * aliasing, 16-bit arithmetic throughout, no branches.
  */
 namespace RowKernels
 {
@@ -34,11 +35,18 @@ bool AreFinite(const double* values, std::int64_t number);
 void FillMarks(const Code* codes, std::int64_t number, const std::uint8_t* steps, int count,
   std::uint8_t* marks);
 
+/// Finds the least and the greatest code, and all codes or-ed.
 void Summarize(const Code* codes, std::int64_t number, Code& least, Code& greatest, Code& bits);
 
+/**
+ * Counts what each grid point of a row owns: \a first points of its own, in all \a second with the
+ * crossings along i, \a third with those along j, \a all with those along k. On entry \a first is
+ * filled.
+ */
 void CountOwned(const Code* here, const Code* along, const Code* above, std::int64_t number,
   const Code* first, Code* second, Code* third, Code* all);
 
+/// Counts the crossings along i, j and k of all grid points of a row.
 std::int64_t CountCrossings(
   const Code* here, const Code* along, const Code* above, std::int64_t number);
 
@@ -47,6 +55,11 @@ std::int64_t CountCrossings(
 void FillKeys(int base, const Code* const rows[4], Code first, Code second, std::int64_t number,
   Code* columns, Code* keys);
 
+/**
+ * Finds for each of \a number cells in a row the least and the greatest code of its corners, and
+ * the code that all of them have or ExtractionKernels::Mixed. The eight rows are those around the
+ * cells at two times; \a least and \a greatest have room for one more number than there are cells.
+ */
 void FindRanges(
   const Code* const rows[8], std::int64_t number, Code* least, Code* greatest, Code* all);
 }

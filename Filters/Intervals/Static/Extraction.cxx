@@ -12,7 +12,6 @@
 #include "Pass/NonFinitePoints.h"
 #include "Pass/WholeFaces.h"
 #include "Scalars/ExtractionDispatch.h"
-#include "Soup/SoupArrays.h"
 #include "Static/ExtractionInput.h"
 #include "Static/ExtractionLinearizer.h"
 #include "Static/WholeOutput.h"
@@ -81,8 +80,7 @@ void AddCellOrigins(const vtkIdType* cells, std::size_t number, vtkCellData* out
 }
 }
 
-bool Extraction::ExtractMesh(
-  ExtractionContext& context, ExtractionMesh& mesh, std::optional<PointArrays>& arrays)
+bool Extraction::ExtractMesh(ExtractionContext& context, ExtractionMesh& mesh, PointArrays& arrays)
 {
   int dimensions[3];
   const bool hasRows = ExtractionArrays::GetRowDimensions(context.Input, dimensions);
@@ -108,13 +106,10 @@ bool Extraction::ExtractMesh(
   {
     const bool needsList = !this->SharePoints || this->KeepOrigins || this->InputBoundary ||
       this->Whole || this->GenerateBoundaries;
-    if (!needsList)
-    {
-      arrays.emplace(context.Input, this->OutputPointsPrecision);
-      context.Arrays = arrays->AreNumbers() ? &*arrays : nullptr;
-    }
+    context.Arrays = needsList ? nullptr : &arrays;
     return StructuredExtraction::Execute(context, dimensions, mesh);
   }
+  context.Unshared = this->SharePoints ? nullptr : &arrays;
   context.TakeDuplicates = GhostCells::AreTied(context);
   return UnstructuredExtraction::Execute(
     context, vtkUnstructuredGrid::SafeDownCast(context.Input), mesh);
@@ -169,14 +164,7 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
     context.KeepCellIds |= whole->HasParts();
   }
 
-  std::optional<SoupArrays> soup;
-  if (!this->SharePoints && vtkUnstructuredGrid::SafeDownCast(context.Input))
-  {
-    soup.emplace(context.Input, this->OutputPointsPrecision);
-    context.Soup = &*soup;
-  }
-
-  std::optional<PointArrays> arrays;
+  PointArrays arrays(context.Input, this->OutputPointsPrecision);
   ExtractionMesh mesh;
   mesh.HasSeveralItems = this->Values->GetItems().size() > 1;
   if (!this->ExtractMesh(context, mesh, arrays))
@@ -197,28 +185,26 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   {
     GhostCells::Remove(context, mesh);
   }
-  const bool hasArrays = arrays && arrays->IsAllocated();
   if (mesh.Used.GetSize() > 0)
   {
-    ExtractionCleanup::RemoveUnusedPoints(mesh, hasArrays ? &*arrays : nullptr);
+    ExtractionCleanup::RemoveUnusedPoints(mesh, arrays.IsAllocated() ? &arrays : nullptr);
   }
   if (this->InputBoundary)
   {
     ExtractionCleanup::CutBoundary(context.Input, this->InputBoundary, this->Whole, mesh);
   }
-  const bool isSoup = soup && soup->IsAllocated();
-  if (!this->SharePoints && !isSoup)
+  if (!arrays.IsAllocated())
   {
-    ExtractionCleanup::SplitPoints(mesh);
+    if (!this->SharePoints)
+    {
+      ExtractionCleanup::SplitPoints(mesh);
+    }
+    arrays.Fill(mesh.Points);
   }
-  const vtkSmartPointer<vtkPoints> points = isSoup ? soup->GetPoints()
-    : hasArrays
-    ? arrays->GetPoints()
-    : ExtractionArrays::MakePoints(context.Input, mesh.Points, this->OutputPointsPrecision);
   if (this->Whole)
   {
     report.WholeCells = mesh.Simplices.GetNumberOfWhole();
-    report.WarpedFaces = isFurther ? 0 : WholeFaces::CountWarped(context, mesh, points);
+    report.WarpedFaces = isFurther ? 0 : WholeFaces::CountWarped(context, mesh, arrays.GetPoints());
     this->Whole->First = mesh.Simplices.GetNumber();
     this->Whole->Points = {};
     this->Whole->TriangleWholes = std::move(mesh.TriangleWholes);
@@ -228,8 +214,8 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
     MapIds(linear->CellIds, mesh.CellIds.GetData(), mesh.CellIds.GetSize());
     MapIds(linear->CellIds, mesh.TriangleCellIds.data(), mesh.TriangleCellIds.size());
   }
-  output->SetPoints(points);
-  this->FillOutput(context, mesh, input, output);
+  output->SetPoints(arrays.GetPoints());
+  this->FillOutput(context, mesh, arrays, input, output);
   if (boundary && (this->GenerateBoundaries || this->InputBoundary))
   {
     this->FillBoundary(mesh, input, output, boundary);
@@ -242,7 +228,7 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
 }
 
 void Extraction::FillOutput(const ExtractionContext& context, ExtractionMesh& mesh,
-  vtkDataSet* original, vtkUnstructuredGrid* output) const
+  PointArrays& arrays, vtkDataSet* original, vtkUnstructuredGrid* output) const
 {
   this->Owner->UpdateProgress(0.85);
   if (mesh.Simplices.GetNumberOfWhole() > 0)
@@ -256,19 +242,7 @@ void Extraction::FillOutput(const ExtractionContext& context, ExtractionMesh& me
       [](vtkUnsignedCharArray* types, vtkIdType number)
       { ExtractionMemory::SetNumberOfTuples(types, number); });
   }
-  if (context.Soup && context.Soup->IsAllocated())
-  {
-    context.Soup->AddTo(output->GetPointData());
-  }
-  else if (context.Arrays && context.Arrays->IsAllocated())
-  {
-    context.Arrays->AddTo(output->GetPointData());
-  }
-  else
-  {
-    ExtractionArrays::InterpolatePointData(
-      context.Input->GetPointData(), mesh.Points, output->GetPointData());
-  }
+  arrays.AddTo(output->GetPointData());
   this->Owner->UpdateProgress(0.95);
   ExtractionArrays::CopyCellData(original->GetCellData(), mesh.CellIds.GetData(),
     static_cast<vtkIdType>(mesh.CellIds.GetSize()), output->GetCellData());

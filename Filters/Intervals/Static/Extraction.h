@@ -4,8 +4,6 @@
 
 #include "Pass/ExtractionContext.h"
 
-#include <optional>
-
 class vtkUnstructuredGrid;
 
 namespace interlume
@@ -50,10 +48,9 @@ public:
     vtkUnstructuredGrid* boundary, vtkExtractionReport& report);
 
 private:
-  bool ExtractMesh(
-    ExtractionContext& context, ExtractionMesh& mesh, std::optional<PointArrays>& arrays);
-  void FillOutput(const ExtractionContext& context, ExtractionMesh& mesh, vtkDataSet* original,
-    vtkUnstructuredGrid* output) const;
+  bool ExtractMesh(ExtractionContext& context, ExtractionMesh& mesh, PointArrays& arrays);
+  void FillOutput(const ExtractionContext& context, ExtractionMesh& mesh, PointArrays& arrays,
+    vtkDataSet* original, vtkUnstructuredGrid* output) const;
   void FillBoundary(const ExtractionMesh& mesh, vtkDataSet* original, vtkUnstructuredGrid* output,
     vtkUnstructuredGrid* boundary) const;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Static/ExtractionLinearizer.h"
 
-#include "Arrays/ExtractionArrays.h"
+#include "Arrays/PointArrays.h"
 #include "Common/ArrayMatch.h"
 #include "Common/GlobalIds.h"
 #include "Common/GridCells.h"
@@ -398,7 +398,9 @@ private:
       const vtkIdType source = p < before ? p : this->Centers[p - before].front();
       same[p] = { source, source, 0.0 };
     }
-    ExtractionArrays::InterpolatePointData(from, same, to);
+    PointArrays arrays(from, from, VTK_ID_MAX);
+    arrays.Fill(same);
+    arrays.AddTo(to);
     for (int a = 0; a < to->GetNumberOfArrays(); ++a)
     {
       vtkDataArray* array = to->GetArray(a);

@@ -17,18 +17,6 @@ namespace interlume
  */
 namespace PointOutput
 {
-inline void Allocate(const ExtractionContext& context, vtkIdType number, ExtractionMesh& mesh)
-{
-  if (context.Arrays)
-  {
-    context.Arrays->Allocate(number);
-  }
-  else
-  {
-    mesh.Points.Allocate(number);
-  }
-}
-
 /// Puts \a points in their places on the edges, then writes them from \a place on.
 inline void Write(const ExtractionContext& context, const ExtractionScalars& scalars,
   ExtractionPoint* points, vtkIdType number, vtkIdType place, ExtractionMesh& mesh)

@@ -7,6 +7,7 @@
 #include "Grid/RowIndex.h"
 #include "Pass/ExtractionContext.h"
 #include "Structured/CellRow.h"
+#include "Structured/RowCount.h"
 #include "Structured/SlotPlace.h"
 
 #include <algorithm>
@@ -15,17 +16,6 @@
 
 namespace interlume
 {
-
-/**
- * The counts of a row: points owned, simplices and boundary triangles of its cells; after summing,
- * the places where those of the row begin.
- */
-struct RowCount
-{
-  vtkIdType Points = 0;
-  vtkIdType Simplices = 0;
-  vtkIdType Triangles = 0;
-};
 
 /**
  * @class   RowWriter

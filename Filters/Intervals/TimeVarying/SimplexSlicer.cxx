@@ -2,8 +2,8 @@
 #include "TimeVarying/SimplexSlicer.h"
 
 #include "Common/GridCells.h"
-#include "Common/ThreadLocals.h"
 #include "Grid/CornerOrder.h"
+#include "Pass/ExtractionFrame.h"
 #include "Scalars/ExtractionScalars.h"
 #include "TimeVarying/SimplexSliceTable.h"
 #include "TimeVarying/SliceChunk.h"
@@ -11,8 +11,8 @@
 #include "TimeVarying/SlicedSimplex.h"
 #include "TimeVarying/SortedSimplices.h"
 #include "Unstructured/CrossingLists.h"
+#include "Unstructured/UnstructuredCells.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkPointData.h"
@@ -76,115 +76,112 @@ void AddTetrahedron(const vtkIsotable::Simplex& slots, const std::uint16_t* plac
       cell });
 }
 
-// Array is the type of the cell array's numbers.
-template <typename Array>
-class Slicer
+// How 4-simplices meet the value, by the cell arrays of a time-varying interval volume.
+class SimplexMeetings
 {
 public:
-  Slicer(const ExtractionContext& context, vtkUnstructuredGrid* grid, SimplexSlicer::Slice& slice)
-    : Context(context)
+  explicit SimplexMeetings(vtkCellData* cells)
+    : Intervals(cells->GetArray("IntervalId"))
+    , AtStep(cells->GetArray("AtStep"))
+  {
+  }
+
+  Meeting Meet(vtkIdType cell, const Code* codes) const
+  {
+    Code least = AboveValue;
+    Code greatest = 0;
+    int numberAt = 0;
+    for (int v = 0; v < SimplexSize; ++v)
+    {
+      least = std::min(least, codes[v]);
+      greatest = std::max(greatest, codes[v]);
+      numberAt += codes[v] == AtValue;
+    }
+    if (greatest < AtValue)
+    {
+      return Meeting::None;
+    }
+    if (numberAt == SimplexSize)
+    {
+      return this->GetPart(cell) == Parts::TETRAHEDRON_AT_STEP ? Meeting::Lies : Meeting::None;
+    }
+    if (numberAt == SimplexSize - 1)
+    {
+      const Meeting meeting = least < AtValue ? Meeting::Ends : Meeting::Begins;
+      return this->GetPart(cell) == Parts::FACES_AT_STEP ? meeting : Meeting::None;
+    }
+    return least < AtValue ? Meeting::Crosses : Meeting::None;
+  }
+
+  // Returns the interval that a cell belongs to: intervals may overlap, and each has its own slice.
+  vtkIdType GetInterval(vtkIdType cell) const
+  {
+    return this->Intervals ? static_cast<vtkIdType>(this->Intervals->GetComponent(cell, 0)) : 0;
+  }
+
+private:
+  int GetPart(vtkIdType cell) const
+  {
+    return this->AtStep ? static_cast<int>(this->AtStep->GetComponent(cell, 0))
+                        : Parts::FACES_AT_STEP;
+  }
+
+  // The intervals of the cells; null where cells have none.
+  vtkDataArray* Intervals;
+  // Null where all faces count.
+  vtkDataArray* AtStep;
+};
+
+// Stored is the type of the cell array's numbers.
+template <typename Stored>
+class SlicePass : public ExtractionFrame<SlicePass<Stored>, SliceChunkBuilder<Stored>>
+{
+  using Builder = SliceChunkBuilder<Stored>;
+  using Frame = ExtractionFrame<SlicePass<Stored>, Builder>;
+
+public:
+  static constexpr std::array<double, 4> Progress = { { 0.05, 0.4, 0.5, 0.8 } };
+
+  SlicePass(const ExtractionContext& context, vtkUnstructuredGrid* grid, const Stored* offsets,
+    const Stored* ids, SimplexSlicer::Slice& slice)
+    : Frame(context)
     , Grid(grid)
+    , Types(GridCells::GetTypes(grid))
+    , Offsets(offsets)
+    , Ids(ids)
     , Scalars(context.MakeScalars())
     , Order(grid->GetPointData())
-    , Intervals(grid->GetCellData()->GetArray("IntervalId"))
-    , AtStep(grid->GetCellData()->GetArray("AtStep"))
+    , Meetings(grid->GetCellData())
     , Lists(grid->GetNumberOfPoints(), true)
+    , Chunks((grid->GetNumberOfCells() + SliceChunk::Size - 1) / SliceChunk::Size)
     , Slice(slice)
   {
   }
 
-  bool Execute()
+  vtkIdType GetNumberOfParts() const { return static_cast<vtkIdType>(this->Chunks.size()); }
+
+  bool Classify()
   {
-    vtkCellArray* stored = this->Grid->GetCells();
-    const auto types = GridCells::GetTypes(this->Grid);
-    const auto offsets = ArrayViews::Get<Array>(stored->GetOffsetsArray());
-    const auto ids = ArrayViews::Get<Array>(stored->GetConnectivityArray());
-    const Cells all{ types->GetPointer(0), offsets->GetPointer(0), ids->GetPointer(0) };
     const vtkIdType points = this->Grid->GetNumberOfPoints();
-    const vtkIdType cells = this->Grid->GetNumberOfCells();
-    const vtkIdType chunks = (cells + SliceChunk::Size - 1) / SliceChunk::Size;
     this->Codes.Allocate(points);
-    this->Chunks.resize(chunks);
-    const auto forEachChunk = [this, chunks](double from, double to, auto&& work)
-    {
-      return this->Context.Run(chunks, from, to,
-        [&work](vtkIdType first, vtkIdType last)
-        {
-          for (vtkIdType chunk = first; chunk < last; ++chunk)
-          {
-            work(chunk);
-          }
-        });
-    };
-    if (!this->Context.Run(points, 0.0, 0.05,
-          [this](vtkIdType first, vtkIdType last)
-          { this->Scalars->Classify(first, last - first, this->Codes.GetData() + first); }) ||
-      !forEachChunk(0.05, 0.4, [&](vtkIdType chunk) { this->CountChunk(chunk, all); }))
-    {
-      return false;
-    }
-    if (this->FindWrongCell())
-    {
-      return true;
-    }
-    this->Codes.Free();
-    SliceFaces faces;
-    for (const Chunk& chunk : this->Chunks)
-    {
-      this->Slice.NonFiniteCells += chunk.NonFiniteCells;
-      faces.Add(chunk);
-    }
-    faces.Sort();
-    if (faces.HasGiven() &&
-      !forEachChunk(0.4, 0.5, [&](vtkIdType chunk) { faces.LeaveOutGiven(this->Chunks[chunk]); }))
-    {
-      return false;
-    }
-    this->Lists.MakePoints(*this->Scalars, this->Slice.Points);
-    this->Allocate();
-    return forEachChunk(0.5, 0.8, [this](vtkIdType chunk) { this->WriteChunk(chunk); });
+    return this->Context.Run(points, 0.0, 0.05,
+      [this](vtkIdType first, vtkIdType last)
+      { this->Scalars->Classify(first, last - first, this->Codes.GetData() + first); });
   }
 
-private:
-  using Id = typename Array::ValueType;
-  using Builder = SliceChunkBuilder<Id>;
-  // Vertices with a bit more fit 32 bits without a sign, or 64 bits with one.
-  using Key = std::conditional_t<sizeof(Id) == 4, std::uint32_t, std::int64_t>;
-  using Batch = SortedSimplices<Key>;
-
-  // The cells as they are stored.
-  struct Cells
-  {
-    const unsigned char* Types;
-    const Id* Offsets;
-    const Id* Ids;
-  };
-
-  // A chunk as a thread fills it.
-  struct Work
-  {
-    Chunk& Made;
-    Builder& Points;
-    CrossingLists::Arena& Arena;
-    const vtkIdType Begin;
-    // Cells that are crossed and have no ties are counted some at a time, before the next that has.
-    Batch Plain;
-    std::array<std::uint16_t, Batch::Size> Positions;
-  };
-
-  void CountChunk(vtkIdType number, const Cells& cells)
+  void CountPart(vtkIdType number, Builder& builder)
   {
     const vtkIdType begin = number * SliceChunk::Size;
     const vtkIdType end = std::min(begin + SliceChunk::Size, this->Grid->GetNumberOfCells());
-    Work work{ this->Chunks[number], this->Builders.Local(), this->Lists.GetArena(), begin, {},
-      {} };
+    Work work{ this->Chunks[number], builder, this->Lists.GetArena(), begin, {}, {} };
     const bool isById = this->Order.IsById();
+    const unsigned char* const types = this->Types->GetPointer(0);
     work.Points.Begin();
     for (vtkIdType cell = begin; cell < end; ++cell)
     {
-      const Id* const ids = cells.Ids + cells.Offsets[cell];
-      if (cells.Types[cell] != VTK_POLY_VERTEX ||
-        cells.Offsets[cell + 1] - cells.Offsets[cell] != SimplexSize)
+      const Stored* const ids = this->Ids + this->Offsets[cell];
+      if (types[cell] != VTK_POLY_VERTEX ||
+        this->Offsets[cell + 1] - this->Offsets[cell] != SimplexSize)
       {
         work.Made.WrongCell = cell;
         return;
@@ -216,70 +213,118 @@ private:
       }
       if (!isPlain || !isById)
       {
-        this->CountPlain(work, cells);
-        this->CountTied(cell, cells, work);
+        this->CountPlain(work);
+        this->CountTied(cell, work);
         continue;
       }
       work.Positions[work.Plain.Number] = static_cast<std::uint16_t>(cell - begin);
       work.Plain.Add(ids, areAbove);
       if (work.Plain.Number == Batch::Size)
       {
-        this->CountPlain(work, cells);
+        this->CountPlain(work);
       }
     }
-    this->CountPlain(work, cells);
+    this->CountPlain(work);
     work.Points.Finish(work.Made);
   }
 
-  bool IsBlanked(vtkIdType cell, const Id* ids) const
+  bool Settle()
+  {
+    if (this->FindWrongCell())
+    {
+      // There is no slice.
+      std::fill(this->Chunks.begin(), this->Chunks.end(), Chunk());
+      return true;
+    }
+    this->Codes.Free();
+    SliceFaces faces;
+    for (const Chunk& chunk : this->Chunks)
+    {
+      this->Slice.NonFiniteCells += chunk.NonFiniteCells;
+      faces.Add(chunk);
+    }
+    faces.Sort();
+    if (faces.HasGiven() &&
+      !this->ForEachPart(this->GetNumberOfParts(), Progress[1], Progress[2],
+        [&](vtkIdType chunk, Builder&) { faces.LeaveOutGiven(this->Chunks[chunk]); }))
+    {
+      return false;
+    }
+    this->Lists.MakePoints(*this->Scalars, this->Slice.Points);
+    return true;
+  }
+
+  // Finds the places where chunks begin, and makes room for all.
+  void Allocate()
+  {
+    vtkIdType tetrahedra = 0;
+    for (Chunk& chunk : this->Chunks)
+    {
+      chunk.First = tetrahedra;
+      tetrahedra += static_cast<vtkIdType>(chunk.Tetrahedra.size());
+    }
+    this->Slice.Tetrahedra.Allocate(
+      tetrahedra, 4, static_cast<vtkIdType>(this->Slice.Points.GetSize()));
+    this->Slice.CellIds.Allocate(this->Context.KeepCellIds ? tetrahedra : 0);
+  }
+
+  void WritePart(vtkIdType number, Builder&)
+  {
+    const Chunk& chunk = this->Chunks[number];
+    const auto write = [&chunk](auto* values)
+    {
+      using Value = std::decay_t<decltype(*values)>;
+      std::vector<Value> ids(chunk.Nodes.size());
+      std::transform(chunk.Nodes.begin(), chunk.Nodes.end(), ids.begin(),
+        [](const CrossingLists::Node* node) { return static_cast<Value>(node->Id); });
+      Value* next = values + 4 * chunk.First;
+      for (const SliceChunk::Tetrahedron& tetrahedron : chunk.Tetrahedra)
+      {
+        for (const std::uint16_t point : tetrahedron.Points)
+        {
+          *next++ = ids[point];
+        }
+      }
+    };
+    this->Slice.Tetrahedra.Visit(write);
+    if (this->Context.KeepCellIds)
+    {
+      std::transform(chunk.Tetrahedra.begin(), chunk.Tetrahedra.end(),
+        this->Slice.CellIds.GetData() + chunk.First,
+        [begin = number * SliceChunk::Size](const SliceChunk::Tetrahedron& tetrahedron)
+        { return begin + tetrahedron.Cell; });
+    }
+  }
+
+  void Finish() {}
+
+private:
+  // Vertices with a bit more fit 32 bits without a sign, or 64 bits with one.
+  using Key = std::conditional_t<sizeof(Stored) == 4, std::uint32_t, std::int64_t>;
+  using Batch = SortedSimplices<Key>;
+
+  // A chunk as a thread fills it.
+  struct Work
+  {
+    Chunk& Made;
+    Builder& Points;
+    CrossingLists::Arena& Arena;
+    const vtkIdType Begin;
+    // Cells that are crossed and have no ties are counted some at a time, before the next that has.
+    Batch Plain;
+    std::array<std::uint16_t, Batch::Size> Positions;
+  };
+
+  bool IsBlanked(vtkIdType cell, const Stored* ids) const
   {
     return this->Context.IsCellBlanked(cell) ||
-      std::any_of(
-        ids, ids + SimplexSize, [this](Id point) { return this->Context.IsPointBlanked(point); });
-  }
-
-  Meeting Meet(vtkIdType cell, const Code* codes) const
-  {
-    Code least = AboveValue;
-    Code greatest = 0;
-    int numberAt = 0;
-    for (int v = 0; v < SimplexSize; ++v)
-    {
-      least = std::min(least, codes[v]);
-      greatest = std::max(greatest, codes[v]);
-      numberAt += codes[v] == AtValue;
-    }
-    if (greatest < AtValue)
-    {
-      return Meeting::None;
-    }
-    if (numberAt == SimplexSize)
-    {
-      return this->GetPart(cell) == Parts::TETRAHEDRON_AT_STEP ? Meeting::Lies : Meeting::None;
-    }
-    if (numberAt == SimplexSize - 1)
-    {
-      const Meeting meeting = least < AtValue ? Meeting::Ends : Meeting::Begins;
-      return this->GetPart(cell) == Parts::FACES_AT_STEP ? meeting : Meeting::None;
-    }
-    return least < AtValue ? Meeting::Crosses : Meeting::None;
-  }
-
-  int GetPart(vtkIdType cell) const
-  {
-    return this->AtStep ? static_cast<int>(this->AtStep->GetComponent(cell, 0))
-                        : Parts::FACES_AT_STEP;
-  }
-
-  // Returns the interval that a cell belongs to: intervals may overlap, and each has its own slice.
-  vtkIdType GetInterval(vtkIdType cell) const
-  {
-    return this->Intervals ? static_cast<vtkIdType>(this->Intervals->GetComponent(cell, 0)) : 0;
+      std::any_of(ids, ids + SimplexSize,
+        [this](Stored point) { return this->Context.IsPointBlanked(point); });
   }
 
   // Counts the cells that wait for it: no two points of a slice are one, but where a vertex of the
   // cell is there twice.
-  void CountPlain(Work& work, const Cells& cells)
+  void CountPlain(Work& work)
   {
     Batch& batch = work.Plain;
     SimplexSorting::Sort(batch);
@@ -288,7 +333,7 @@ private:
       const std::uint16_t position = work.Positions[s];
       if (batch.HasEqual[s] != 0)
       {
-        this->CountTied(work.Begin + position, cells, work);
+        this->CountTied(work.Begin + position, work);
         continue;
       }
       const Case& what = this->Cases[batch.Above[s]];
@@ -308,12 +353,12 @@ private:
   }
 
   // Counts a cell of which slots may be one point.
-  void CountTied(vtkIdType cell, const Cells& cells, Work& work)
+  void CountTied(vtkIdType cell, Work& work)
   {
-    const Id* const ids = cells.Ids + cells.Offsets[cell];
+    const Stored* const ids = this->Ids + this->Offsets[cell];
     Code codes[SimplexSize];
-    std::transform(ids, ids + SimplexSize, codes, [this](Id id) { return this->Codes[id]; });
-    const Meeting meeting = this->Meet(cell, codes);
+    std::transform(ids, ids + SimplexSize, codes, [this](Stored id) { return this->Codes[id]; });
+    const Meeting meeting = this->Meetings.Meet(cell, codes);
     if (meeting == Meeting::None)
     {
       return;
@@ -348,7 +393,7 @@ private:
         work.Made.Places.push_back(work.Points.GetNumberOfTetrahedra());
         work.Made.Faces.push_back(
           { { { points[0].Owner, points[1].Owner, points[2].Owner, points[3].Owner } },
-            this->GetInterval(cell), meeting });
+            this->Meetings.GetInterval(cell), meeting });
       }
       AddTetrahedron(slots, places, simplex.IsInverted(),
         static_cast<std::uint16_t>(cell - work.Begin), work.Points);
@@ -363,61 +408,18 @@ private:
     return this->Slice.WrongCell >= 0;
   }
 
-  // Finds the places where chunks begin, and makes room for all.
-  void Allocate()
-  {
-    vtkIdType tetrahedra = 0;
-    for (Chunk& chunk : this->Chunks)
-    {
-      chunk.First = tetrahedra;
-      tetrahedra += static_cast<vtkIdType>(chunk.Tetrahedra.size());
-    }
-    this->Slice.Tetrahedra.Allocate(
-      tetrahedra, 4, static_cast<vtkIdType>(this->Slice.Points.GetSize()));
-    this->Slice.CellIds.Allocate(this->Context.KeepCellIds ? tetrahedra : 0);
-  }
-
-  void WriteChunk(vtkIdType number)
-  {
-    const Chunk& chunk = this->Chunks[number];
-    const auto write = [&chunk](auto* values)
-    {
-      using Stored = std::decay_t<decltype(*values)>;
-      std::vector<Stored> ids(chunk.Nodes.size());
-      std::transform(chunk.Nodes.begin(), chunk.Nodes.end(), ids.begin(),
-        [](const CrossingLists::Node* node) { return static_cast<Stored>(node->Id); });
-      Stored* next = values + 4 * chunk.First;
-      for (const SliceChunk::Tetrahedron& tetrahedron : chunk.Tetrahedra)
-      {
-        for (const std::uint16_t point : tetrahedron.Points)
-        {
-          *next++ = ids[point];
-        }
-      }
-    };
-    this->Slice.Tetrahedra.Visit(write);
-    if (this->Context.KeepCellIds)
-    {
-      std::transform(chunk.Tetrahedra.begin(), chunk.Tetrahedra.end(),
-        this->Slice.CellIds.GetData() + chunk.First,
-        [begin = number * SliceChunk::Size](const SliceChunk::Tetrahedron& tetrahedron)
-        { return begin + tetrahedron.Cell; });
-    }
-  }
-
-  const ExtractionContext& Context;
   vtkUnstructuredGrid* Grid;
+  // The cells as they are stored.
+  vtkSmartPointer<GridCells::Types> Types;
+  const Stored* Offsets;
+  const Stored* Ids;
   std::unique_ptr<ExtractionScalars> Scalars;
   CornerOrder Order;
-  // The intervals of the cells; null where cells have none.
-  vtkDataArray* Intervals;
-  // Null where all faces count.
-  vtkDataArray* AtStep;
+  SimplexMeetings Meetings;
   ExtractionBuffer<Code> Codes;
   CrossingLists Lists;
   const std::array<Case, 32>& Cases = SimplexSliceTable::GetAll();
   std::vector<Chunk> Chunks;
-  ThreadLocals<Builder> Builders;
   SimplexSlicer::Slice& Slice;
 };
 }
@@ -430,9 +432,12 @@ bool SimplexSlicer::Execute(
     // A grid that was given none has no cell array.
     return true;
   }
-  return GridCells::IsNarrow(grid->GetCells()->GetConnectivityArray())
-    ? Slicer<GridCells::NarrowIds>(context, grid, slice).Execute()
-    : Slicer<GridCells::WideIds>(context, grid, slice).Execute();
+  return VisitCellArrays(grid,
+    [&](const auto* offsets, const auto* ids)
+    {
+      SlicePass<std::decay_t<decltype(*ids)>> pass(context, grid, offsets, ids, slice);
+      return pass.Execute(pass.GetNumberOfParts());
+    });
 }
 
 }

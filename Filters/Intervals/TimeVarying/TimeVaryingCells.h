@@ -2,6 +2,7 @@
 #ifndef interlume_TimeVaryingCells_h
 #define interlume_TimeVaryingCells_h
 
+#include "Cuts/SlotTables.h"
 #include "Grid/CellOrientation.h"
 #include "Grid/CornerOrder.h"
 #include "Grid/RowIndex.h"
@@ -22,16 +23,8 @@
 namespace interlume
 {
 
-/// A cell of a slab, its corners in the order of its table.
-struct TimeVaryingCell
-{
-  vtkIdType Id = -1;
-  vtkIsotable::Shapes Shape = vtkIsotable::HEXAHEDRON;
-  int NumberOfCorners = 8;
-  vtkIdType Ids[8] = {};
-  /// Whether the corners are in ascending order, for which the table has its cut.
-  bool IsAscending = true;
-};
+/// A cell of a slab.
+using TimeVaryingCell = TableCell<2>;
 
 /**
  * The common part of the cells of rows and of unstructured cells: which of them are left out. Where

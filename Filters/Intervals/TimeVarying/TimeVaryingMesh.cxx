@@ -2,7 +2,9 @@
 #include "TimeVarying/TimeVaryingMesh.h"
 
 #include "Arrays/ExtractionArrays.h"
+#include "Arrays/PointArrays.h"
 #include "Common/ArrayMatch.h"
+#include "Output/KeptRuns.h"
 #include "Output/TiedFaces.h"
 #include "TimeVarying/TimeStep.h"
 #include "Unstructured/CrossingLists.h"
@@ -72,12 +74,11 @@ vtkSmartPointer<vtkPoints> MakePoints(const TimeStep& first, const TimeStep& sec
 {
   if (isStatic)
   {
-    return ExtractionArrays::MakePoints(
+    return PointArrays::MakePoints(
       first.GetGrid(), Fold(points, first.GetNumberOfPoints()), precision);
   }
-  // The points are empty, but of the type that is asked for.
-  vtkSmartPointer<vtkPoints> made =
-    ExtractionArrays::MakePoints(first.GetGrid(), PointList(), precision);
+  const auto made = vtkSmartPointer<vtkPoints>::Take(
+    vtkPoints::New(ExtractionArrays::ChoosePointType(first.GetGrid(), precision)));
   made->SetNumberOfPoints(static_cast<vtkIdType>(points.GetSize()));
   InterpolatePoints(first.GetGrid(), second.GetGrid(), points, made);
   return made;
@@ -139,38 +140,30 @@ Entry MakeEntry(const TimeVaryingMesh::Slab& slab, std::size_t s, std::size_t pl
 // Leaves out the 4-simplices that are marked; returns how many.
 vtkIdType RemoveMarked(TimeVaryingMesh::Slab& slab, const std::vector<bool>& isRemoved)
 {
-  const std::size_t number = slab.Simplices.GetSize();
-  std::size_t kept = 0;
-  for (std::size_t s = 0; s < number; ++s)
+  const vtkIdType number = static_cast<vtkIdType>(slab.Simplices.GetSize());
+  std::vector<vtkIdType> removed;
+  for (vtkIdType s = 0; s < number; ++s)
   {
-    if (!isRemoved[s])
+    if (isRemoved[s])
     {
-      slab.Simplices[kept] = slab.Simplices[s];
-      if (slab.Items.GetSize() > 0)
-      {
-        slab.Items[kept] = slab.Items[s];
-      }
-      if (slab.Flats.GetSize() > 0)
-      {
-        slab.Flats[kept] = slab.Flats[s];
-      }
-      if (slab.Ties.GetSize() > 0)
-      {
-        slab.Ties[kept] = slab.Ties[s];
-      }
-      if (slab.Duplicates.GetSize() > 0)
-      {
-        slab.Duplicates[kept] = slab.Duplicates[s];
-      }
-      ++kept;
+      removed.push_back(s);
     }
   }
-  slab.Simplices.Truncate(kept);
-  slab.Items.Truncate(slab.Items.GetSize() > 0 ? kept : 0);
-  slab.Flats.Truncate(slab.Flats.GetSize() > 0 ? kept : 0);
-  slab.Ties.Truncate(slab.Ties.GetSize() > 0 ? kept : 0);
-  slab.Duplicates.Truncate(slab.Duplicates.GetSize() > 0 ? kept : 0);
-  return static_cast<vtkIdType>(number - kept);
+  const KeptRuns kept(removed, number);
+  const auto keep = [&kept](auto& values)
+  {
+    if (values.GetSize() > 0)
+    {
+      kept.Compact(values.GetData(), 1);
+      values.Truncate(static_cast<std::size_t>(kept.GetNumber()));
+    }
+  };
+  keep(slab.Simplices);
+  keep(slab.Items);
+  keep(slab.Flats);
+  keep(slab.Ties);
+  keep(slab.Duplicates);
+  return static_cast<vtkIdType>(removed.size());
 }
 
 vtkSmartPointer<vtkDoubleArray> MakeTimes(
@@ -310,7 +303,9 @@ void TimeVaryingMesh::AppendPoints(
   vtkNew<vtkPointData> arrays;
   vtkPointData* from = first.GetGrid()->GetPointData();
   vtkPointData* to = second.GetGrid()->GetPointData();
-  ExtractionArrays::InterpolatePointData(from, to, first.GetNumberOfPoints(), points, arrays);
+  PointArrays interpolated(from, to, first.GetNumberOfPoints());
+  interpolated.Fill(points);
+  interpolated.AddTo(arrays);
   for (const char* own : { "Time", "DeltaT" })
   {
     arrays->RemoveArray(own);

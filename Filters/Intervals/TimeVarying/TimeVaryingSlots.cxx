@@ -49,13 +49,11 @@ TimeVaryingSlots::TimeVaryingSlots(vtkIsotable::Shapes shape)
   const int n = table.GetNumberOfVertices();
   const int m = table.GetNumberOfEdges();
   const int corners = n / 2;
-  this->NumberOfVertices = n;
   for (int slot = 0; slot < n + 2 * m; ++slot)
   {
     const std::array<Slot, 2> ends = slot < n
       ? std::array<Slot, 2>{ { static_cast<Slot>(slot), static_cast<Slot>(slot) } }
       : table.GetEdge((slot - n) % m);
-    this->Ends[slot] = ends;
     unsigned sides = 0;
     if (slot >= n)
     {

@@ -34,9 +34,6 @@ public:
 
   explicit TimeVaryingSlots(vtkIsotable::Shapes shape);
 
-  bool IsVertex(Slot slot) const { return slot < this->NumberOfVertices; }
-  /// Returns the vertices at the ends of the slot's edge; twice the vertex itself for a vertex.
-  Slot GetEnd(Slot slot, int end) const { return this->Ends[slot][end]; }
   /// Returns whether the slot is a crossing of the lower or the upper value, and whether it is at a
   /// step.
   std::uint8_t GetSides(Slot slot) const { return this->SidesOf[slot]; }
@@ -75,8 +72,6 @@ public:
   static constexpr int MaximumNumberOfFaces = 6;
 
 private:
-  int NumberOfVertices;
-  std::array<std::array<Slot, 2>, vtkIsotableCache::MaximumNumberOfSlots> Ends{};
   std::array<std::uint8_t, vtkIsotableCache::MaximumNumberOfSlots> SidesOf{};
   // The corners of the cell that a slot lies above or between, as bits.
   std::array<std::uint8_t, vtkIsotableCache::MaximumNumberOfSlots> Supports{};

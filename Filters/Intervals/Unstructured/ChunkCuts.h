@@ -2,7 +2,7 @@
 #ifndef interlume_ChunkCuts_h
 #define interlume_ChunkCuts_h
 
-#include "Unstructured/ShapeTables.h"
+#include "Cuts/SlotTables.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -10,6 +10,9 @@
 
 namespace interlume
 {
+
+/// The tables of the cells of one step.
+using ShapeTables = SlotTables<vtkIsotable>;
 
 /**
  * @class   CellCut

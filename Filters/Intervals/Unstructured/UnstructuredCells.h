@@ -164,6 +164,24 @@ private:
   const CellCorners* CornersOfType = GetCornersOfTypes();
 };
 
+template <typename Array, typename Visitor>
+bool VisitCellArraysAs(vtkCellArray* cells, Visitor&& visit)
+{
+  const auto offsets = ArrayViews::Get<Array>(cells->GetOffsetsArray());
+  const auto ids = ArrayViews::Get<Array>(cells->GetConnectivityArray());
+  return visit(offsets->GetPointer(0), ids->GetPointer(0));
+}
+
+/// Returns visit(offsets, ids) for the arrays of a grid's cells, in the type they are stored in.
+template <typename Visitor>
+bool VisitCellArrays(vtkUnstructuredGrid* grid, Visitor&& visit)
+{
+  vtkCellArray* cells = grid->GetCells();
+  return GridCells::IsNarrow(cells->GetConnectivityArray())
+    ? VisitCellArraysAs<GridCells::NarrowIds>(cells, visit)
+    : VisitCellArraysAs<GridCells::WideIds>(cells, visit);
+}
+
 }
 
 #endif

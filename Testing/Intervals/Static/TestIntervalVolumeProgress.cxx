@@ -7,10 +7,13 @@
 #include "Support/Meshes/ReferenceLattice.h"
 #include "Support/Meshes/ReferenceMesh.h"
 
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkIntervalVolume.h"
 #include "vtkIsotableContour.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace
@@ -41,6 +44,35 @@ void CheckPrint(Check& check)
   CheckPrinted(contourText, report, check);
   CheckPrinted(contourText,
     { "OutputPointsPrecision", "MergePoints", "UseValueIndex", "6.375", "7.625" }, check);
+}
+
+// The datasets of a composite input share the progress, with a pass for a criterion in each, and an
+// abort ends all of them.
+void CheckComposite(vtkImageData* image, Check& check)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, image);
+  blocks->SetBlock(1, image);
+  vtkNew<vtkIntervalVolume> volume;
+  volume->SetInputDataObject(blocks);
+  volume->SetInterval(0, 0.2, 0.4);
+  volume->AddCriterion(image->GetPointData()->GetScalars()->GetName(), 0.25, 0.35);
+  ProgressWatch watch;
+  Observe(volume, watch);
+  volume->Update();
+  CheckGrowth(watch, 10, check);
+  watch = ProgressWatch();
+  watch.AbortAt = 0.1;
+  volume->Modified();
+  volume->Update();
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(volume->GetOutputDataObject(0));
+  vtkIdType cells = 0;
+  for (unsigned int block = 0; block < 2; ++block)
+  {
+    auto* grid = vtkUnstructuredGrid::SafeDownCast(output->GetBlock(block));
+    cells += grid ? grid->GetNumberOfCells() : 0;
+  }
+  check.Equal(cells, 0, "cells of all datasets after an abort in the first");
 }
 
 }
@@ -77,6 +109,8 @@ int TestIntervalVolumeProgress(int, char*[])
     volume->KeepWholeCellsOn();
     CheckProgress(volume, data, VTK_TETRA, check);
   }
+  check.SetContext("composite");
+  CheckComposite(image, check);
   check.SetContext("print");
   CheckPrint(check);
   return check.Result();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef interlume_SoupBuilder_h
-#define interlume_SoupBuilder_h
+#ifndef interlume_UnsharedPoints_h
+#define interlume_UnsharedPoints_h
 
+#include "Arrays/PointArrays.h"
 #include "Output/CrossingKey.h"
 #include "Output/ExtractionPoint.h"
-#include "Soup/SoupPart.h"
 
 #include "vtkIsotable.h"
 
@@ -16,16 +16,16 @@ namespace interlume
 {
 
 /**
- * @class   SoupBuilder
- * @brief   collects the triangles of cells, cut by cut
+ * @class   UnsharedPoints
+ * @brief   collects triangles that share no points, cut by cut
  *
  * What cells near each other have in common is computed once: a small table remembers the last
  * points. It may forget one, which is then computed again and comes out the same.
  */
-class SoupBuilder
+class UnsharedPoints
 {
 public:
-  using Index = SoupPart::Index;
+  using Index = PointArrays::Part::Index;
 
   /// Begins a part without triangles.
   void Begin()

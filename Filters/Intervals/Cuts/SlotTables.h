@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_SlotTables_h
+#define interlume_SlotTables_h
+
+#include "Cuts/ExtractionCell.h"
+#include "Output/CrossingKey.h"
+#include "Scalars/ExtractionValues.h"
+
+#include "vtkIsotable.h"
+#include "vtkType.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace interlume
+{
+
+/**
+ * A cell near an item, its corners in the order of its table; between two steps those at the first
+ * step come before those at the second. \a Steps is 1 or 2.
+ */
+template <int Steps>
+struct TableCell
+{
+  using Code = ExtractionValues::Code;
+  static constexpr int MaximumNumberOfVertices = Steps * vtkIsotable::MaximumNumberOfVertices;
+
+  vtkIdType Id = -1;
+  vtkIsotable::Shapes Shape = vtkIsotable::HEXAHEDRON;
+  /// The number of corners at one step.
+  int NumberOfCorners = 8;
+  vtkIdType Ids[MaximumNumberOfVertices] = {};
+  Code Codes[MaximumNumberOfVertices] = {};
+  /// Whether the corners are in ascending order, for which the table has its cut.
+  bool IsAscending = true;
+  /// Whether turning a tetrahedron has exchanged left and right.
+  bool IsReflected = false;
+
+  int GetNumberOfVertices() const { return Steps * this->NumberOfCorners; }
+
+  /// Returns whether two corners are one point.
+  bool HasEqualCorners() const
+  {
+    return !this->IsAscending && ExtractionCell::IsCollapsed(this->Ids, this->NumberOfCorners);
+  }
+};
+
+/**
+ * @class   SlotTables
+ * @brief   the tables of all shapes of cells, and which points the slots of a cell are
+ *
+ * \a Table is vtkIsotable or vtkIsotableCache.
+ */
+template <typename Table>
+class SlotTables
+{
+public:
+  using Item = ExtractionValues::Item;
+  using Slot = vtkIsotable::Slot;
+  static constexpr int MaximumNumberOfSlots = Table::MaximumNumberOfSlots;
+
+  /// The ends of the edge of a slot, and which isovalue crosses it.
+  struct SlotEnds
+  {
+    Slot A;
+    Slot B;
+    bool IsUpper;
+  };
+
+  /// Finds the tables by getTable(shape).
+  template <typename GetTable>
+  explicit SlotTables(GetTable&& getTable)
+  {
+    for (int shape = 0; shape < vtkIsotable::NUMBER_OF_SHAPES; ++shape)
+    {
+      const Table& table = getTable(static_cast<vtkIsotable::Shapes>(shape));
+      this->Tables[shape] = &table;
+      const int n = table.GetNumberOfVertices();
+      const int m = table.GetNumberOfEdges();
+      for (int slot = n; slot < n + 2 * m; ++slot)
+      {
+        const auto& edge = table.GetEdge((slot - n) % m);
+        this->Ends[shape][slot] = { edge[0], edge[1], slot >= n + m };
+      }
+    }
+  }
+
+  const Table& operator[](vtkIsotable::Shapes shape) const { return *this->Tables[shape]; }
+
+  const SlotEnds& GetEnds(vtkIsotable::Shapes shape, Slot slot) const
+  {
+    return this->Ends[shape][slot];
+  }
+
+  /// Returns the point of a slot, as its owner and its key there.
+  template <typename Cell>
+  CrossingKey GetPoint(const Cell& cell, const Item& item, Slot slot, vtkIdType& owner) const
+  {
+    if (slot < cell.GetNumberOfVertices())
+    {
+      owner = cell.Ids[slot];
+      return {};
+    }
+    const SlotEnds& ends = this->Ends[cell.Shape][slot];
+    const vtkIdType a = cell.Ids[ends.A];
+    const vtkIdType b = cell.Ids[ends.B];
+    owner = std::min(a, b);
+    return { std::max(a, b), ends.IsUpper ? item.Upper : item.Lower };
+  }
+
+  /// Finds for each slot of a case the slot that it is the same point as: by a value equal to an
+  /// isovalue, or since two corners are one point. Returns false if each is a point of its own.
+  template <typename Cell>
+  bool Merge(const Cell& cell, const Item& item, const typename Table::Case& what, Slot* same) const
+  {
+    typename Cell::Code ties = item.IsFlat;
+    for (int v = 0; v < cell.GetNumberOfVertices(); ++v)
+    {
+      ties |= cell.Codes[v];
+    }
+    const bool hasEqualCorners = cell.HasEqualCorners();
+    if (!ExtractionValues::IsTie(ties) && !hasEqualCorners)
+    {
+      return false;
+    }
+    std::iota(same, same + MaximumNumberOfSlots, Slot(0));
+    ExtractionCell::IdentifyAll((*this)[cell.Shape], item, cell.Codes, what.Slots, hasEqualCorners,
+      [&](Slot slot)
+      {
+        vtkIdType owner;
+        const CrossingKey key = this->GetPoint(cell, item, slot, owner);
+        return std::make_pair(owner, key);
+      },
+      same);
+    return std::any_of(
+      what.Slots.begin(), what.Slots.end(), [same](Slot slot) { return same[slot] != slot; });
+  }
+
+private:
+  const Table* Tables[vtkIsotable::NUMBER_OF_SHAPES];
+  SlotEnds Ends[vtkIsotable::NUMBER_OF_SHAPES][MaximumNumberOfSlots];
+};
+
+}
+
+#endif

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_CellReader_h
+#define interlume_CellReader_h
+
+#include "Cuts/SlotTables.h"
+#include "Grid/CellOrientation.h"
+#include "Grid/CornerOrder.h"
+#include "Pass/ExtractionContext.h"
+#include "Unstructured/PointMarks.h"
+#include "Unstructured/UnstructuredCells.h"
+#include "Unstructured/UnstructuredChunk.h"
+
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace interlume
+{
+
+/**
+ * @class   CellReader
+ * @brief   the cells of an unstructured grid that are near an item
+ *
+ * \a Stored is the type of the cell array's numbers.
+ */
+template <typename Stored>
+class CellReader
+{
+public:
+  using Cell = TableCell<1>;
+  using Code = ExtractionValues::Code;
+
+  /// Reads \a grid, whose cell arrays \a offsets and \a ids are.
+  CellReader(const ExtractionContext& context, vtkUnstructuredGrid* grid, const Stored* offsets,
+    const Stored* ids)
+    : Context(context)
+    , Cells(grid, offsets, ids)
+    , Order(grid->GetPointData())
+    , Orientation(grid)
+    , NumberOfPoints(grid->GetNumberOfPoints())
+    , Marks(*context.Values, grid->GetNumberOfPoints())
+  {
+  }
+
+  const UnstructuredCells<Stored>& GetCells() const { return this->Cells; }
+  const CornerOrder& GetOrder() const { return this->Order; }
+  const PointMarks& GetMarks() const { return this->Marks; }
+  const Code* GetCodes() const { return this->Codes.GetData(); }
+  vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
+
+  /// Computes the codes and marks of all points. Returns false if the user aborted.
+  bool Classify(const ExtractionScalars& scalars)
+  {
+    this->Codes.Allocate(this->NumberOfPoints);
+    return this->Context.Run(this->NumberOfPoints, 0.0, 0.05,
+      [this, &scalars](vtkIdType first, vtkIdType last)
+      {
+        scalars.Classify(first, last - first, this->Codes.GetData() + first);
+        this->Marks.Fill(this->Codes.GetData(), first, last);
+      });
+  }
+  std::size_t GetBytes() const { return this->Codes.GetBytes() + this->Marks.GetBytes(); }
+  void FreePoints()
+  {
+    this->Codes.Free();
+    this->Marks.Free();
+  }
+
+  /// Finds the cells begin ... end - 1 that are near an item, by their distance from \a begin.
+  /// Cells from \a firstPassed on all are, and come first in each run. Returns their number.
+  int FindNear(vtkIdType begin, vtkIdType end, vtkIdType firstPassed, std::uint16_t* near,
+    vtkExtractionReport& report) const
+  {
+    constexpr vtkIdType run = ExtractionIndex::RunLength;
+    const ExtractionIndex* const index = this->Context.Index;
+    // Without an index, and if no cells are passed on, all runs are one.
+    const vtkIdType length = index || this->Context.Whole ? run : end - begin;
+    int number = 0;
+    for (vtkIdType first = begin; first < end; first += length)
+    {
+      if (!index || index->IsRunActive(first / run))
+      {
+        const vtkIdType last = std::min(first + length, end);
+        report.CellsVisited += last - first;
+        this->AppendNear(first, last, begin, firstPassed, near, number, report);
+      }
+    }
+    return number;
+  }
+
+  /// Prefetches the coordinates of a cell.
+  void Prefetch(vtkIdType id) const
+  {
+    if (!this->Context.KeepOrientation)
+    {
+      this->Cells.ForEachSecondPoint(
+        id, [this](vtkIdType point) { this->Orientation.Prefetch(point); });
+    }
+  }
+
+  /// Reads a cell except its codes.
+  void Read(vtkIdType id, Cell& cell) const
+  {
+    if (this->ReadCorners(id, cell))
+    {
+      cell.IsAscending = this->Order.IsAscending(cell.Ids, cell.NumberOfCorners);
+    }
+  }
+
+  /// Reads what names the points of a cell unless it is the one that was read last.
+  void ReadNext(vtkIdType id, Cell& cell) const
+  {
+    if (id != cell.Id)
+    {
+      this->ReadCorners(id, cell);
+    }
+  }
+
+  /// Reads the codes of a cell's corners. Returns the least and the greatest.
+  std::pair<Code, Code> ReadCodes(Cell& cell) const
+  {
+    Code least = std::numeric_limits<Code>::max();
+    Code greatest = 0;
+    for (int v = 0; v < cell.NumberOfCorners; ++v)
+    {
+      cell.Codes[v] = this->Codes[cell.Ids[v]];
+      least = std::min(least, cell.Codes[v]);
+      greatest = std::max(greatest, cell.Codes[v]);
+    }
+    return { least, greatest };
+  }
+
+  /// Returns whether a cell is left-handed.
+  bool IsInverted(const Cell& cell) const
+  {
+    return this->Context.KeepOrientation ? cell.IsReflected
+                                         : this->Orientation.IsInverted(cell.Shape, cell.Ids);
+  }
+
+  /// Counts a cell with output, and whether it is folded.
+  void CountOutput(const Cell& cell, bool hasOutput, vtkExtractionReport& report) const
+  {
+    report.CellsWithOutput += hasOutput;
+    report.FoldedCells += hasOutput && !this->Context.KeepOrientation &&
+      this->Orientation.IsFolded(cell.Shape, cell.Ids);
+  }
+
+private:
+  void AppendNear(vtkIdType first, vtkIdType last, vtkIdType begin, vtkIdType firstPassed,
+    std::uint16_t* near, int& numberNear, vtkExtractionReport& report) const
+  {
+    const vtkIdType passed = std::max(first, firstPassed);
+    for (vtkIdType id = passed; id < last; ++id)
+    {
+      near[numberNear++] = static_cast<std::uint16_t>(id - begin);
+    }
+    last = std::min(last, passed);
+    if (!this->Cells.IsUniform() || this->Context.HasBlanking())
+    {
+      for (vtkIdType id = first; id < last; ++id)
+      {
+        near[numberNear] = static_cast<std::uint16_t>(id - begin);
+        numberNear += this->Accept(id, report);
+      }
+      return;
+    }
+    int found = numberNear;
+    vtkIdType nonFinite = 0;
+    this->Cells.ForEachMarks(first, last, this->Marks.GetData(),
+      [&](vtkIdType id, PointMarks::Mark marks)
+      {
+        near[found] = static_cast<std::uint16_t>(id - begin);
+        found += this->Marks.IsNear(marks);
+        nonFinite += PointMarks::IsNonFinite(marks);
+      });
+    numberNear = found;
+    report.NonFiniteCells += nonFinite;
+  }
+
+  bool IsBlanked(vtkIdType id, const CellCorners& corners) const
+  {
+    if (this->Context.IsCellLeftOut(id))
+    {
+      return true;
+    }
+    vtkIdType ids[8];
+    this->Cells.GetIds(id, corners, ids);
+    return this->Context.PointGhosts &&
+      std::any_of(ids, ids + corners.NumberOfCorners,
+        [this](vtkIdType point) { return this->Context.IsPointBlanked(point); });
+  }
+
+  // Returns whether a cell is near an item and can give output; if it cannot, the reason is
+  // counted.
+  bool Accept(vtkIdType id, vtkExtractionReport& report) const
+  {
+    const CellCorners& corners = this->Cells.GetCorners(id);
+    if (!corners.HasTable())
+    {
+      (corners.Kind == CellCorners::LOWER_DIMENSIONAL ? report.LowerDimensionalCells
+                                                      : report.UnsupportedCells) += 1;
+      return false;
+    }
+    if (this->Context.HasBlanking() && this->IsBlanked(id, corners))
+    {
+      ++report.BlankedCells;
+      return false;
+    }
+    const PointMarks::Mark marks =
+      this->Cells.GetMarks(id, corners.NumberOfCorners, this->Marks.GetData());
+    if (PointMarks::IsNonFinite(marks))
+    {
+      ++report.NonFiniteCells;
+      return false;
+    }
+    report.LinearizedCells += corners.Kind == CellCorners::HIGHER_ORDER;
+    return this->Marks.IsNear(marks);
+  }
+
+  // Reads what names the points of a cell; one whose corners do not ascend is turned until most of
+  // them do. Returns whether it was turned, after which it is left open whether they ascend.
+  bool ReadCorners(vtkIdType id, Cell& cell) const
+  {
+    const CellCorners& corners = this->Cells.GetCorners(id);
+    cell.Id = id;
+    cell.Shape = corners.Shape;
+    cell.NumberOfCorners = corners.NumberOfCorners;
+    this->Cells.GetIds(id, corners, cell.Ids);
+    cell.IsAscending = this->Order.IsAscending(cell.Ids, cell.NumberOfCorners);
+    cell.IsReflected = false;
+    if (cell.IsAscending)
+    {
+      return false;
+    }
+    if (cell.Shape == vtkIsotable::TETRAHEDRON)
+    {
+      cell.IsReflected = this->Order.IsOdd(cell.Ids, cell.NumberOfCorners);
+    }
+    this->Order.Turn(cell.Shape, cell.Ids);
+    return true;
+  }
+
+  const ExtractionContext& Context;
+  UnstructuredCells<Stored> Cells;
+  CornerOrder Order;
+  CellOrientation Orientation;
+  vtkIdType NumberOfPoints;
+  ExtractionBuffer<Code> Codes;
+  PointMarks Marks;
+};
+
+}
+
+#endif
