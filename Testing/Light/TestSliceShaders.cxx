@@ -4,7 +4,7 @@
 #include "Buffers/SlicePass.h"
 #include "Shaders/SliceFeatures.h"
 
-#include "Reference/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkNew.h"
 #include "vtkOpenGLBufferObject.h"

@@ -11,12 +11,10 @@
 #include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkPropCollection.h"
-#include "vtkRenderer.h"
 #include "vtkShadowedScenePass.h"
 #include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkShadowedSliceMapper.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
-#include "vtkVolume.h"
 #include "vtkVolumeCollection.h"
 
 #include <algorithm>

@@ -6,9 +6,6 @@
 #include "Gallery/Picture.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Stage.h"
-#include "Gallery/Turns.h"
-
-#include "vtkImageData.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -31,7 +28,6 @@ struct Options
   std::string Out = "gallery";
   std::string Size = "1280x800";
   std::string Json;
-  gallery::TurnSettings Turn{ 64, 64, 0 };
   int Frames = 36;
 };
 
@@ -97,19 +93,6 @@ void Draw(const Options& options)
   ParseSize(options.Size, width, height);
   const std::vector<const gallery::Scene*> scenes = ChosenScenes(options.Scenes);
   const gallery::DisplayHold display;
-  if (options.Turn.Degrees > 0)
-  {
-    gallery::TurnSettings turn = options.Turn;
-    turn.Width = width;
-    turn.Height = height;
-    std::cout << gallery::GetTurnsHeading() << std::flush;
-    for (const gallery::Scene* scene : scenes)
-    {
-      gallery::TurnScene(
-        *scene, turn, [](const gallery::Turn& found) { std::cout << ToText(found) << std::flush; });
-    }
-    return;
-  }
   if (!vtksys::SystemTools::MakeDirectory(options.Out))
   {
     throw std::runtime_error("cannot make the folder " + options.Out);
@@ -155,16 +138,6 @@ int main(int argc, char* argv[])
       "Frames of scenes that move, written beside their pictures and shown on the page; 0 for none")
     ->check(CLI::Range(0, 999))
     ->capture_default_str();
-  app
-    .add_option("--turn", options.Turn.Degrees,
-      "Instead of pictures, print how far frames stand out while the eye, and then the lights, of "
-      "each panel turn by a degree at a time over so many")
-    ->check(CLI::Range(3, 360));
-  app
-    .add_option("--coarse", options.Turn.Coarseness,
-      "With --turn: slices so many times as far apart, and as many times fewer columns and rows of "
-      "lights' buffers")
-    ->check(CLI::Range(1.0, 16.0));
   CLI11_PARSE(app, argc, argv);
   try
   {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gallery/Look.h"
 
-#include "vtkColorTransferFunction.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"

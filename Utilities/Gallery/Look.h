@@ -3,9 +3,9 @@
 #define Look_h
 
 #include "vtkColor.h"
+#include "vtkColorTransferFunction.h"
 #include "vtkSmartPointer.h"
 
-class vtkColorTransferFunction;
 class vtkRenderer;
 
 /**

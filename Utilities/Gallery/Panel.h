@@ -5,6 +5,8 @@
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkColor.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkVector.h"
@@ -12,8 +14,6 @@
 #include <string>
 #include <vector>
 
-class vtkImageData;
-class vtkLight;
 class vtkProp;
 class vtkRenderWindow;
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gallery/Picture.h"
 
-#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkWindowToImageFilter.h"
 

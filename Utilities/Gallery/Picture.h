@@ -2,10 +2,9 @@
 #ifndef Picture_h
 #define Picture_h
 
+#include "vtkImageData.h"
 #include "vtkRenderWindow.h"
 #include "vtkSmartPointer.h"
-
-class vtkImageData;
 
 /**
  * Pictures as pixels: RGB, unsigned char, lower left first.

@@ -3,7 +3,6 @@
 
 #include "Gallery/Look.h"
 
-#include "vtkActor.h"
 #include "vtkArrayCalculator.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -14,12 +13,10 @@
 #include "vtkFloatArray.h"
 #include "vtkGradientFilter.h"
 #include "vtkIdList.h"
-#include "vtkImageData.h"
 #include "vtkImageShrink3D.h"
 #include "vtkIntervalVolume.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
@@ -27,7 +24,6 @@
 #include "vtkStructuredGrid.h"
 #include "vtkStructuredGridGeometryFilter.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
 #include "vtkVector.h"
 
 namespace gallery

@@ -2,19 +2,19 @@
 #ifndef Props_h
 #define Props_h
 
+#include "vtkActor.h"
 #include "vtkColor.h"
+#include "vtkDataSet.h"
+#include "vtkImageData.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <string>
 
-class vtkActor;
-class vtkDataSet;
-class vtkImageData;
 class vtkIntervalVolume;
-class vtkPolyData;
 class vtkScalarsToColors;
 class vtkStructuredGrid;
-class vtkUnstructuredGrid;
 
 /**
  * What scenes put on stage: surfaces of extracted tetrahedra, boundary triangles, walls.

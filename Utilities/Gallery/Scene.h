@@ -12,9 +12,10 @@ class Stage;
 /**
  * One picture of the gallery: what it is called, what it shows, and the pipeline that builds it.
  *
- * A scene is one file in Scenes/ that defines its build function and one `const SceneRegistration`;
- * nothing else has to be told of it but the list of files in CMakeLists.txt. The gallery program
- * and the regression test of the same id render the same scene.
+ * A file in Scenes/ defines the build functions of one scene or of several that share their data,
+ * and a `const SceneRegistration` for each; nothing else has to be told of them but the list of
+ * files in CMakeLists.txt. The gallery program and the regression test of the same id render the
+ * same scene.
  */
 struct Scene
 {

@@ -9,14 +9,10 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkFlowVolume.h"
-#include "vtkImageData.h"
 #include "vtkIntervalVolume.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkSimplexTimeSlice.h"
 #include "vtkTimeVaryingIntervalVolume.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <map>
@@ -52,6 +48,20 @@ Panel& Stage::AddPanel(const std::string& caption)
 {
   this->Panels.push_back(std::make_unique<Panel>(caption));
   return *this->Panels.back();
+}
+
+Panel& Stage::AddPanel(const std::string& caption, const vtkVector3d& from, const vtkVector3d& up)
+{
+  Panel& panel = this->AddPanel(caption);
+  if (this->Panels.size() > 1)
+  {
+    panel.LookAs(*this->Panels.front());
+  }
+  else
+  {
+    panel.LookFrom(from, up);
+  }
+  return panel;
 }
 
 void Stage::SetColourBar(

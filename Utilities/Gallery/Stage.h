@@ -6,7 +6,9 @@
 #include "Gallery/Panel.h"
 #include "Gallery/SceneReport.h"
 
+#include "vtkImageData.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <functional>
 #include <memory>
@@ -16,12 +18,10 @@
 class vtkAlgorithm;
 class vtkDataObject;
 class vtkFlowVolume;
-class vtkImageData;
 class vtkIntervalVolume;
 class vtkRenderer;
 class vtkScalarsToColors;
 class vtkTimeVaryingIntervalVolume;
-class vtkUnstructuredGrid;
 
 namespace gallery
 {
@@ -49,6 +49,12 @@ public:
    * Adds a panel, left to right, then top to bottom. It lives as long as the stage.
    */
   Panel& AddPanel(const std::string& caption);
+
+  /**
+   * The same, with a camera that looks from \a from, and that the panels added like this share.
+   */
+  Panel& AddPanel(
+    const std::string& caption, const vtkVector3d& from, const vtkVector3d& up = { 0.0, 0.0, 1.0 });
 
   ///@{
   /**

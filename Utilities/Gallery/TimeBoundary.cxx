@@ -9,7 +9,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkTimeVaryingIntervalVolume.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 

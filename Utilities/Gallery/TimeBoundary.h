@@ -3,11 +3,11 @@
 #define TimeBoundary_h
 
 #include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <vector>
 
 class vtkTimeVaryingIntervalVolume;
-class vtkUnstructuredGrid;
 
 namespace gallery
 {

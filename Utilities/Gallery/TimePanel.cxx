@@ -2,19 +2,15 @@
 #include "Gallery/TimePanel.h"
 
 #include "Gallery/Look.h"
-#include "Gallery/Panel.h"
 #include "Gallery/Stage.h"
 #include "Gallery/Volumes.h"
 
 #include "vtkAlgorithm.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTimeVaryingIntervalVolume.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 namespace gallery
@@ -31,7 +27,6 @@ Panel& AddPanelInTime(
   Stage& stage, vtkAlgorithm* source, double lower, double upper, double extinction)
 {
   vtkNew<vtkTimeVaryingIntervalVolume> interval;
-  interval->SetNumberOfIntervals(1);
   interval->SetInterval(0, lower, upper);
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(interval, source);
   const std::vector<double> times = GetTimeSteps(source);

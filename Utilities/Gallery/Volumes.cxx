@@ -8,7 +8,6 @@
 #include "vtkTemporalColorTransferFunction.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 namespace gallery

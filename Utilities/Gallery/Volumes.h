@@ -4,6 +4,7 @@
 
 #include "vtkColor.h"
 #include "vtkSmartPointer.h"
+#include "vtkVolume.h"
 
 #include <string>
 #include <vector>
@@ -12,7 +13,6 @@ class vtkColorTransferFunction;
 class vtkPiecewiseFunction;
 class vtkTimeWeightedTetrahedraMapper;
 class vtkUnstructuredGrid;
-class vtkVolume;
 
 /**
  * Tetrahedra as volumes, drawn by vtkTimeWeightedTetrahedraMapper.

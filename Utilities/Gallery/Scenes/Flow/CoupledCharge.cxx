@@ -8,16 +8,10 @@
 #include "Gallery/Stage.h"
 #include "Gallery/Volumes.h"
 
-#include "vtkActor.h"
-#include "vtkAnalyticFlowSource.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkFlowVolume.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkTerminationSphere.h"
-#include "vtkTexture.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 
 #include <vector>
 
@@ -41,7 +35,6 @@ void Build(gallery::Stage& stage)
     gallery::MapInflow(gallery::MakeImplicitFlow(charges, { source }, samples), "1 - v");
 
   vtkNew<vtkFlowVolume> filter;
-  filter->SetNumberOfIntervals(1);
   filter->SetInterval(0, 0.0, 0.42);
   const std::vector<double> values = { 0.06, 0.13, 0.22, 0.32 };
   for (int i = 0; i < 4; ++i)
@@ -61,8 +54,7 @@ void Build(gallery::Stage& stage)
     vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(gallery::STREAM_SURFACES));
   gallery::SetStreamlineCoordinates(surfaces, 0, 24, 6);
 
-  gallery::Panel& panel = stage.AddPanel("");
-  panel.LookFrom({ 0.25, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
+  gallery::Panel& panel = stage.AddPanel("", { 0.25, -1.0, 0.5 });
   vtkNew<vtkPiecewiseFunction> extinction;
   extinction->AddPoint(0.0, 1.0);
   vtkSmartPointer<vtkVolume> volume = gallery::MakeVolume(

@@ -11,19 +11,12 @@
 #include "Gallery/Volumes.h"
 #include "Support/Inputs/DataFiles.h"
 
-#include "vtkActor.h"
-#include "vtkColorTransferFunction.h"
-#include "vtkDataSet.h"
-#include "vtkInflowMapping.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "vtkProbeFilter.h"
 #include "vtkProperty.h"
-#include "vtkStreamlineTexture.h"
-#include "vtkTerminationPlane.h"
 #include "vtkTrivialProducer.h"
 
 namespace
@@ -83,8 +76,7 @@ void Build(gallery::Stage& stage)
   // Without the darkest colours, on which lines are not seen.
   const vtkSmartPointer<vtkColorTransferFunction> colours =
     gallery::MakeColourMap(gallery::Map::Inferno, 100.0, HOT);
-  gallery::Panel& panel = stage.AddPanel("");
-  panel.LookFrom({ 0.35, -1.0, 0.3 }, { 1.0, 0.0, 0.0 });
+  gallery::Panel& panel = stage.AddPanel("", { 0.35, -1.0, 0.3 }, { 1.0, 0.0, 0.0 });
   for (const double inflow : { 0.3, 0.5, 0.7 })
   {
     panel.Add(MakeSurface(flow, inflow, disk, colours));

@@ -8,14 +8,8 @@
 #include "Gallery/Stage.h"
 #include "Gallery/Volumes.h"
 
-#include "vtkActor.h"
-#include "vtkAnalyticFlowSource.h"
 #include "vtkFlowVolume.h"
 #include "vtkNew.h"
-#include "vtkTerminationPlane.h"
-#include "vtkTexture.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 
 namespace
 {
@@ -32,7 +26,6 @@ void Build(gallery::Stage& stage)
   const vtkSmartPointer<vtkDataSet> inflow = gallery::MapInflow(
     gallery::MakeImplicitFlow(flow, { plane }, samples), "2 * sqrt((u - 0.5)^2 + (v - 0.5)^2)");
   vtkNew<vtkFlowVolume> filter;
-  filter->SetNumberOfIntervals(1);
   filter->SetInterval(0, 0.22, 0.5);
   filter->SetTimeSurface(0, 0.5);
   filter->SetTimeSurface(1, 1.15);
@@ -42,8 +35,7 @@ void Build(gallery::Stage& stage)
   filter->ParametersAsTextureCoordinatesOn();
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
 
-  gallery::Panel& panel = stage.AddPanel("");
-  panel.LookFrom({ 0.9, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
+  gallery::Panel& panel = stage.AddPanel("", { 0.9, -1.0, 0.5 });
   panel.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColour(0), 0.8 } }));
   for (int id = 0; id < 3; ++id)
   {

@@ -12,11 +12,8 @@
 #include "Gallery/Volumes.h"
 #include "Support/Inputs/DataFiles.h"
 
-#include "vtkActor.h"
 #include "vtkAppendFilter.h"
-#include "vtkDataSet.h"
 #include "vtkFlowVolume.h"
-#include "vtkImageData.h"
 #include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -24,10 +21,6 @@
 #include "vtkPlaneSource.h"
 #include "vtkPoints.h"
 #include "vtkStructuredGrid.h"
-#include "vtkTerminationPlane.h"
-#include "vtkTexture.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 
 #include <algorithm>
 #include <array>
@@ -113,7 +106,6 @@ void Build(gallery::Stage& stage)
       "max(abs(u - 0.5) / 0.25, v / 0.9)");
 
   vtkNew<vtkFlowVolume> filter;
-  filter->SetNumberOfIntervals(1);
   filter->SetInterval(0, 0.0, 1.0);
   filter->SetTimeRange(0.0, 4.2);
   filter->SetTimeSurface(0, 0.8);
@@ -123,8 +115,7 @@ void Build(gallery::Stage& stage)
   filter->ParametersAsTextureCoordinatesOn();
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
 
-  gallery::Panel& panel = stage.AddPanel("");
-  panel.LookFrom({ -0.55, -1.0, 0.6 }, { 0.0, 0.0, 1.0 });
+  gallery::Panel& panel = stage.AddPanel("", { -0.55, -1.0, 0.6 });
   panel.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColour(0), 0.25 } }));
   for (int id = 0; id < 3; ++id)
   {
@@ -168,19 +159,10 @@ void BuildInflow(gallery::Stage& stage)
     ReadFlow(), { plane }, { { 89, 61, 49 }, { BEGIN, END, -WIDTH, WIDTH, 0.0, HEIGHT } }, 15.0);
   const vtkSmartPointer<vtkImageData> discs = gallery::MakePaint(480, 384, &Discs);
   vtkSmartPointer<vtkImplicitFlowVolumeMapper> mappers[2];
-  gallery::Panel* first = nullptr;
   for (int i = 0; i < 2; ++i)
   {
-    gallery::Panel& panel = stage.AddPanel(i == 0 ? "time grows" : "dye in pulses");
-    if (first)
-    {
-      panel.LookAs(*first);
-    }
-    else
-    {
-      first = &panel;
-      panel.LookFrom({ -0.55, -1.0, 0.6 }, { 0.0, 0.0, 1.0 });
-    }
+    gallery::Panel& panel =
+      stage.AddPanel(i == 0 ? "time grows" : "dye in pulses", { -0.55, -1.0, 0.6 });
     const vtkSmartPointer<vtkVolume> volume = gallery::MakeInflowVolume(flow, discs, 0.15);
     mappers[i] = gallery::GetInflowMapper(volume);
     panel.Add(volume);

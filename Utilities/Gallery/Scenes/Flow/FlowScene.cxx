@@ -4,9 +4,7 @@
 #include "Gallery/Props.h"
 #include "Gallery/Volumes.h"
 
-#include "vtkActor.h"
 #include "vtkAlgorithm.h"
-#include "vtkAnalyticFlowSource.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetSurfaceFilter.h"
@@ -19,15 +17,11 @@
 #include "vtkLineSource.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "vtkSphereSource.h"
-#include "vtkTerminationPlane.h"
 #include "vtkTerminationSurfaceSource.h"
 #include "vtkTexture.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkTubeFilter.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 
 namespace gallery
 {

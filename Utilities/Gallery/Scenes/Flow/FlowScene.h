@@ -2,23 +2,23 @@
 #ifndef FlowScene_h
 #define FlowScene_h
 
+#include "vtkActor.h"
+#include "vtkAnalyticFlowSource.h"
 #include "vtkColor.h"
+#include "vtkDataSet.h"
 #include "vtkSmartPointer.h"
+#include "vtkTerminationPlane.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <array>
 #include <limits>
 #include <string>
 #include <vector>
 
-class vtkActor;
 class vtkAlgorithm;
-class vtkAnalyticFlowSource;
-class vtkDataSet;
 class vtkFlowVolume;
-class vtkTerminationPlane;
 class vtkTerminationSurface;
 class vtkTexture;
-class vtkUnstructuredGrid;
 class vtkVolume;
 
 /**

@@ -5,7 +5,6 @@
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkTexture.h"
 
 #include <algorithm>
 #include <cmath>

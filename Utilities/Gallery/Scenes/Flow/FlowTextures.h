@@ -4,10 +4,9 @@
 
 #include "vtkColor.h"
 #include "vtkSmartPointer.h"
+#include "vtkTexture.h"
 
 #include <vector>
-
-class vtkTexture;
 
 /**
  * Textures for stream and time surfaces.

@@ -7,12 +7,8 @@
 #include "Gallery/Stage.h"
 #include "Gallery/Volumes.h"
 
-#include "vtkAnalyticFlowSource.h"
 #include "vtkFlowVolume.h"
 #include "vtkNew.h"
-#include "vtkTerminationPlane.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 
 namespace
 {
@@ -30,14 +26,12 @@ void Build(gallery::Stage& stage)
     gallery::MakeImplicitFlow(jet, { nozzle }, samples), "sqrt((u - 0.5)^2 + (v - 0.5)^2)");
 
   vtkNew<vtkFlowVolume> filter;
-  filter->SetNumberOfIntervals(1);
   filter->SetInterval(0, 0.16, 0.42);
   filter->GenerateStreamSurfacesOn();
   filter->GenerateNormalsOn();
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
 
-  gallery::Panel& panel = stage.AddPanel("");
-  panel.LookFrom({ 0.45, -1.0, 0.4 }, { 0.0, 0.0, 1.0 });
+  gallery::Panel& panel = stage.AddPanel("", { 0.45, -1.0, 0.4 });
   vtkSmartPointer<vtkVolume> volume =
     gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColour(0), 1.2 } });
   gallery::SetBoundary(volume, gallery::GetFlowSurface(filter, gallery::STREAM_SURFACES, 0),

@@ -8,16 +8,11 @@
 #include "Gallery/Scenes/Flow/InflowPaint.h"
 #include "Gallery/Stage.h"
 
-#include "vtkActor.h"
-#include "vtkAnalyticFlowSource.h"
-#include "vtkImageData.h"
 #include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlaneSource.h"
 #include "vtkTerminationCylinder.h"
-#include "vtkTexture.h"
-#include "vtkVolume.h"
 
 #include <cmath>
 
@@ -71,8 +66,7 @@ void Build(gallery::Stage& stage)
   front->AddPoint(0.25, 1.0);
   front->AddPoint(1.0, 1.0);
 
-  gallery::Panel& panel = stage.AddPanel("");
-  panel.LookFrom({ 0.25, -1.0, 0.85 }, { 0.0, 0.0, 1.0 });
+  gallery::Panel& panel = stage.AddPanel("", { 0.25, -1.0, 0.85 });
   const vtkSmartPointer<vtkVolume> volume = gallery::MakeInflowVolume(flow, spokes, 0.05);
   vtkImplicitFlowVolumeMapper* mapper = gallery::GetInflowMapper(volume);
   mapper->SetTimeGate(front);

@@ -8,15 +8,10 @@
 #include "Gallery/Stage.h"
 #include "Gallery/Volumes.h"
 
-#include "vtkAnalyticFlowSource.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkFlowVolume.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkTerminationCylinder.h"
-#include "vtkTexture.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 
 #include <vector>
 
@@ -35,7 +30,6 @@ void Build(gallery::Stage& stage)
     gallery::MapInflow(gallery::MakeImplicitFlow(hurricane, { rim }, samples, 12.0), "v");
 
   vtkNew<vtkFlowVolume> filter;
-  filter->SetNumberOfIntervals(1);
   filter->SetInterval(0, 0.1, 0.29);
   filter->SetStreamSurface(0, 0.17);
   filter->SetStreamSurface(1, 0.23);
@@ -51,8 +45,7 @@ void Build(gallery::Stage& stage)
     colours.push_back(gallery::IntervalColour(i));
   }
 
-  gallery::Panel& panel = stage.AddPanel("");
-  panel.LookFrom({ 0.25, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
+  gallery::Panel& panel = stage.AddPanel("", { 0.25, -1.0, 0.5 });
   vtkNew<vtkPiecewiseFunction> extinction;
   extinction->AddPoint(0.0, 2.5);
   vtkSmartPointer<vtkVolume> volume = gallery::MakeVolume(

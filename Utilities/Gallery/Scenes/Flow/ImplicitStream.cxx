@@ -7,13 +7,8 @@
 #include "Gallery/Stage.h"
 #include "Gallery/Volumes.h"
 
-#include "vtkActor.h"
-#include "vtkAnalyticFlowSource.h"
 #include "vtkFlowVolume.h"
 #include "vtkNew.h"
-#include "vtkTerminationPlane.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 
 namespace
 {
@@ -32,16 +27,14 @@ void Build(gallery::Stage& stage)
       "3 * sqrt((u - 0.5)^2 + (v - 0.5)^2) * (1 + 0.25 * cos(4 * atan2(v - 0.5, u - 0.5)))");
 
   vtkNew<vtkFlowVolume> filter;
-  filter->SetNumberOfIntervals(1);
   filter->SetInterval(0, 0.3, 0.6);
   filter->GenerateStreamSurfacesOn();
   filter->GenerateNormalsOn();
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
 
-  gallery::Panel& surface = stage.AddPanel("the stream surface");
-  gallery::Panel& volume = stage.AddPanel("the stream volume");
-  surface.LookFrom({ 0.25, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
-  volume.LookAs(surface);
+  const vtkVector3d from(0.25, -1.0, 0.5);
+  gallery::Panel& surface = stage.AddPanel("the stream surface", from);
+  gallery::Panel& volume = stage.AddPanel("the stream volume", from);
   surface.Add(gallery::MakeFlowActor(
     gallery::GetFlowSurface(filter, gallery::STREAM_SURFACES, 1), gallery::IntervalColour(0)));
   volume.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColour(0), 3.0 } }));

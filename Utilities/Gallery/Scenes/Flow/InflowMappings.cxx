@@ -9,18 +9,10 @@
 #include "Gallery/Stage.h"
 #include "Gallery/Volumes.h"
 
-#include "vtkActor.h"
-#include "vtkAnalyticFlowSource.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkFlowVolume.h"
-#include "vtkImageData.h"
 #include "vtkInflowMapping.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkTerminationPlane.h"
-#include "vtkTexture.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -102,8 +94,6 @@ void Build(gallery::Stage& stage)
   const vtkSmartPointer<vtkColorTransferFunction> colours =
     gallery::MakeColourMap(gallery::Map::Inferno, 0.0, 1.0);
   const vtkSmartPointer<vtkImageData> painted = MakeImage(&Paint);
-
-  gallery::Panel* first = nullptr;
   for (const bool isPainted : { false, true })
   {
     vtkNew<vtkInflowMapping> mapping;
@@ -119,21 +109,12 @@ void Build(gallery::Stage& stage)
     mapping->SetInputData(flow);
     mapping->Update();
     vtkNew<vtkFlowVolume> filter;
-    filter->SetNumberOfIntervals(1);
     filter->SetInterval(0, 0.3, 2.0);
     vtkSmartPointer<vtkUnstructuredGrid> tetrahedra =
       stage.Extract(filter, mapping->GetOutputDataObject(0));
 
-    gallery::Panel& panel = stage.AddPanel(isPainted ? "a painted image" : "a function");
-    if (first)
-    {
-      panel.LookAs(*first);
-    }
-    else
-    {
-      first = &panel;
-      panel.LookFrom({ -0.3, -1.0, 0.75 }, { 0.0, 0.0, 1.0 });
-    }
+    gallery::Panel& panel =
+      stage.AddPanel(isPainted ? "a painted image" : "a function", { -0.3, -1.0, 0.75 });
     vtkNew<vtkPiecewiseFunction> extinction;
     extinction->AddPoint(0.3, 1.5);
     extinction->AddPoint(1.0, 7.0);

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gallery/Scenes/Flow/InflowPaint.h"
 
-#include "vtkImageData.h"
 #include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkNew.h"
 #include "vtkTextProperty.h"
 #include "vtkStringArray.h" // for strings that vtkTextRenderer takes
 #include "vtkTextRenderer.h"
-#include "vtkTexture.h"
-#include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>

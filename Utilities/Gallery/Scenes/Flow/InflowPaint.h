@@ -3,16 +3,16 @@
 #define InflowPaint_h
 
 #include "vtkColor.h"
+#include "vtkImageData.h"
 #include "vtkSmartPointer.h"
+#include "vtkTexture.h"
+#include "vtkVolume.h"
 
 #include <functional>
 #include <string>
 
 class vtkDataSet;
-class vtkImageData;
 class vtkImplicitFlowVolumeMapper;
-class vtkTexture;
-class vtkVolume;
 
 /**
  * Images that are painted on termination surfaces, and the volumes they make.

@@ -7,14 +7,8 @@
 #include "Gallery/Scenes/Flow/InflowPaint.h"
 #include "Gallery/Stage.h"
 
-#include "vtkActor.h"
-#include "vtkAnalyticFlowSource.h"
-#include "vtkImageData.h"
 #include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkNew.h"
-#include "vtkTerminationPlane.h"
-#include "vtkTexture.h"
-#include "vtkVolume.h"
 
 #include <cmath>
 
@@ -39,8 +33,7 @@ vtkSmartPointer<vtkTerminationPlane> MakePlane()
 void Show(gallery::Stage& stage, vtkImageData* image, const vtkColor3d& ground)
 {
   const vtkSmartPointer<vtkTerminationPlane> plane = MakePlane();
-  gallery::Panel& panel = stage.AddPanel("");
-  panel.LookFrom({ -0.12, -1.0, 0.75 }, { 0.0, 0.0, 1.0 });
+  gallery::Panel& panel = stage.AddPanel("", { -0.12, -1.0, 0.75 });
   panel.Add(gallery::MakeInflowVolume(MakeUpdraft(plane, 65), image, 0.05));
   panel.Add(gallery::MakeTerminationActor(plane, gallery::MakeInflowTexture(image, ground)));
 }
@@ -119,20 +112,10 @@ void BuildDual(gallery::Stage& stage)
   gate->AddPoint(0.25, 1.0);
   gate->AddPoint(0.5, 0.0);
   gate->AddPoint(1.0, 0.0);
-  gallery::Panel* first = nullptr;
   const char* captions[] = { "inflow", "detail", "both" };
   for (int i = 0; i < 3; ++i)
   {
-    gallery::Panel& panel = stage.AddPanel(captions[i]);
-    if (first)
-    {
-      panel.LookAs(*first);
-    }
-    else
-    {
-      first = &panel;
-      panel.LookFrom({ -0.12, -1.0, 0.75 }, { 0.0, 0.0, 1.0 });
-    }
+    gallery::Panel& panel = stage.AddPanel(captions[i], { -0.12, -1.0, 0.75 });
     const vtkSmartPointer<vtkVolume> volume =
       gallery::MakeInflowVolume(flow, i == 1 ? nothing : broad, 0.05);
     if (i > 0)

@@ -8,19 +8,12 @@
 #include "Gallery/Stage.h"
 #include "Gallery/Volumes.h"
 
-#include "vtkActor.h"
 #include "vtkLinearSubdivisionFilter.h"
 #include "vtkAnalyticFlowSource.h"
-#include "vtkColorTransferFunction.h"
-#include "vtkDataSet.h"
 #include "vtkFlowLIC.h"
 #include "vtkImplicitFlowField.h"
-#include "vtkInflowMapping.h"
 #include "vtkNew.h"
-#include "vtkPolyData.h"
 #include "vtkTerminationPlane.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 
 namespace
 {
@@ -71,8 +64,7 @@ void Build(gallery::Stage& stage)
   colours->AddRGBPoint(0.5, 0.8, 0.5, 0.2);
   colours->AddRGBPoint(1.0, 1.0, 0.95, 0.8);
 
-  gallery::Panel& panel = stage.AddPanel("");
-  panel.LookFrom({ -0.55, -1.0, 0.45 }, { 0.0, 0.0, 1.0 });
+  gallery::Panel& panel = stage.AddPanel("", { -0.55, -1.0, 0.45 });
   panel.Add(gallery::MakeColouredActor(
     vtkPolyData::SafeDownCast(lic->GetOutputDataObject(0)), "LIC", colours));
   panel.Add(gallery::MakeVolumeOfIntervals(

@@ -6,20 +6,14 @@
 #include "Gallery/Scenes/Flow/TexturedSurface.h"
 #include "Gallery/Stage.h"
 
-#include "vtkActor.h"
-#include "vtkDataSet.h"
-#include "vtkPolyData.h"
-#include "vtkStreamlineTexture.h"
-
 namespace
 {
 void Build(gallery::Stage& stage)
 {
   const gallery::MappedFlow flow = gallery::MakeTornado(7.0);
-  gallery::Panel& one = stage.AddPanel("streamlines and timelines");
-  gallery::Panel& nested = stage.AddPanel("two nested surfaces");
-  one.LookFrom({ 0.4, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
-  nested.LookAs(one);
+  const vtkVector3d from(0.4, -1.0, 0.5);
+  gallery::Panel& one = stage.AddPanel("streamlines and timelines", from);
+  gallery::Panel& nested = stage.AddPanel("two nested surfaces", from);
 
   const vtkSmartPointer<vtkPolyData> outer =
     gallery::MakeTexturedSurface(flow, 0.13, 0.45, 3.9, 16.0);

@@ -6,12 +6,6 @@
 #include "Gallery/Scenes/Flow/TexturedSurface.h"
 #include "Gallery/Stage.h"
 
-#include "vtkActor.h"
-#include "vtkBoundingBox.h"
-#include "vtkDataSet.h"
-#include "vtkPolyData.h"
-#include "vtkStreamlineTexture.h"
-
 namespace
 {
 void Build(gallery::Stage& stage)

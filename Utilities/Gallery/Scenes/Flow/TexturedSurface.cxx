@@ -4,24 +4,17 @@
 #include "Gallery/Props.h"
 #include "Gallery/Scenes/Flow/FlowScene.h"
 
-#include "vtkActor.h"
-#include "vtkAnalyticFlowSource.h"
-#include "vtkDataSet.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkFlowVolume.h"
 #include "vtkImplicitFlowField.h"
-#include "vtkInflowMapping.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
 #include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkStreamSurfaceParameters.h"
-#include "vtkStreamlineTexture.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTerminationCylinder.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <cmath>
 
@@ -122,7 +115,6 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeStreamVolume(
 {
   vtkNew<vtkFlowVolume> filter;
   filter->SetInputData(samples);
-  filter->SetNumberOfIntervals(1);
   filter->SetInterval(0, lower, upper);
   filter->SetTimeRange(start, end);
   filter->Update();

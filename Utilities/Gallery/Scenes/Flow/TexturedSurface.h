@@ -2,18 +2,17 @@
 #ifndef TexturedSurface_h
 #define TexturedSurface_h
 
+#include "vtkActor.h"
 #include "vtkColor.h"
+#include "vtkDataSet.h"
+#include "vtkInflowMapping.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStreamlineTexture.h"
+#include "vtkTerminationSurface.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <array>
-
-class vtkActor;
-class vtkDataSet;
-class vtkInflowMapping;
-class vtkPolyData;
-class vtkStreamlineTexture;
-class vtkTerminationSurface;
-class vtkUnstructuredGrid;
 
 /**
  * Stream surfaces with lines on them, in the flow of a tornado.

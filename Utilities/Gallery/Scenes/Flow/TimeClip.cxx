@@ -8,14 +8,9 @@
 #include "Gallery/Stage.h"
 #include "Gallery/Volumes.h"
 
-#include "vtkActor.h"
-#include "vtkAnalyticFlowSource.h"
 #include "vtkFlowVolume.h"
 #include "vtkNew.h"
 #include "vtkTerminationSphere.h"
-#include "vtkTexture.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 
 namespace
 {
@@ -27,7 +22,6 @@ constexpr int OUTER_SURFACE = 2;
 gallery::Panel& Show(gallery::Stage& stage, vtkFlowVolume* filter, vtkDataSet* inflow,
   const char* caption, int first, int last)
 {
-  filter->SetNumberOfIntervals(1);
   filter->SetInterval(0, 0.0, 0.35);
   filter->SetStreamSurface(0, 0.14);
   filter->GenerateTimeSurfacesOn();

@@ -8,14 +8,8 @@
 #include "Gallery/Stage.h"
 #include "Gallery/Volumes.h"
 
-#include "vtkActor.h"
-#include "vtkAnalyticFlowSource.h"
 #include "vtkFlowVolume.h"
 #include "vtkNew.h"
-#include "vtkTerminationPlane.h"
-#include "vtkTexture.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 
 namespace
 {
@@ -29,7 +23,6 @@ void Build(gallery::Stage& stage)
   const vtkSmartPointer<vtkDataSet> inflow = gallery::MapInflow(
     gallery::MakeImplicitFlow(abc, { plane }, samples), "sqrt((u - 0.5)^2 + (v - 0.72)^2)");
   vtkNew<vtkFlowVolume> filter;
-  filter->SetNumberOfIntervals(1);
   filter->SetInterval(0, 0.0, 0.22);
   filter->SetTimeRange(0.08, 0.33);
   filter->GenerateTimeSurfacesOn();
@@ -37,8 +30,7 @@ void Build(gallery::Stage& stage)
   filter->ParametersAsTextureCoordinatesOn();
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
 
-  gallery::Panel& panel = stage.AddPanel("");
-  panel.LookFrom({ 1.0, -0.5, 0.35 }, { 0.0, 0.0, 1.0 });
+  gallery::Panel& panel = stage.AddPanel("", { 1.0, -0.5, 0.35 });
   panel.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColour(0), 1.5 } }));
   for (int id = 0; id < 2; ++id)
   {

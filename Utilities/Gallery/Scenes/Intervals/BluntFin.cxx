@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Gallery/Scenes/Intervals/BluntFin.h"
+// Flow around a blunt fin by one interval and by two attributes.
 
 #include "Gallery/Look.h"
 #include "Gallery/Props.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Stage.h"
+#include "Gallery/Volumes.h"
 #include "Support/Inputs/DataFiles.h"
 
 #include "vtkActor.h"
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkIntervalVolume.h"
 #include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStructuredData.h"
 #include "vtkStructuredGrid.h"
 
@@ -20,10 +26,10 @@
 #include <utility>
 #include <vector>
 
-namespace gallery
-{
 namespace
 {
+using namespace gallery;
+
 /// The lid between the upper edges of both sides of the fin.
 vtkSmartPointer<vtkPolyData> MakeLid(vtkStructuredGrid* flow)
 {
@@ -50,8 +56,10 @@ vtkSmartPointer<vtkPolyData> MakeLid(vtkStructuredGrid* flow)
   lid->SetPolys(quads);
   return MakeSurface(lid);
 }
-}
 
+/// The flow past a blunt fin, both halves. The data hold one, whose surface i = 0 is the plane of
+/// symmetry y = 0 upstream of the fin; the other is its mirror image, and both share the points of
+/// that surface. Point arrays of one component are kept, and `Speed` is the length of the velocity.
 vtkSmartPointer<vtkStructuredGrid> ReadBluntFin()
 {
   vtkSmartPointer<vtkDataSet> data =
@@ -104,6 +112,7 @@ vtkSmartPointer<vtkStructuredGrid> ReadBluntFin()
   return whole;
 }
 
+/// The fin in the flow: both sides, surface j = 0, and the top.
 vtkSmartPointer<vtkActor> MakeBluntFin(vtkStructuredGrid* flow)
 {
   vtkNew<vtkAppendPolyData> fin;
@@ -113,8 +122,80 @@ vtkSmartPointer<vtkActor> MakeBluntFin(vtkStructuredGrid* flow)
   return MakeActor(fin->GetOutput(), Pencil());
 }
 
+/// The plate the fin stands on, surface k = 0.
 vtkSmartPointer<vtkActor> MakeBluntFinPlate(vtkStructuredGrid* flow)
 {
   return MakeActor(MakeWall(flow, 2, 0), Pencil());
 }
+
+void BuildIntervalLinear(gallery::Stage& stage)
+{
+  const double lower = 1.2;
+  const double upper = 4.0;
+  vtkSmartPointer<vtkStructuredGrid> flow = ReadBluntFin();
+  vtkNew<vtkIntervalVolume> interval;
+  interval->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Density");
+  interval->SetInterval(0, lower, 5.0);
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(interval, flow);
+
+  vtkSmartPointer<vtkColorTransferFunction> colours =
+    gallery::MakeColourMap(gallery::Map::Viridis, lower, upper);
+  vtkNew<vtkPiecewiseFunction> extinction;
+  extinction->AddPoint(lower, 0.4);
+  extinction->AddPoint(2.0, 1.2);
+  extinction->AddPoint(upper, 8.0);
+  vtkSmartPointer<vtkVolume> air = gallery::MakeVolume(tetrahedra, "Density", colours, extinction);
+  vtkSmartPointer<vtkActor> plate = MakeBluntFinPlate(flow);
+  vtkSmartPointer<vtkActor> fin = MakeBluntFin(flow);
+
+  gallery::Panel& front = stage.AddPanel("from upstream");
+  gallery::Panel& back = stage.AddPanel("from above");
+  for (gallery::Panel* panel : { &front, &back })
+  {
+    panel->Add(plate);
+    panel->Add(fin);
+    panel->Add(air);
+  }
+  front.LookFrom({ -1.0, 0.5, 0.5 }, { 0.0, 0.0, 1.0 });
+  back.LookFrom({ -0.4, 0.5, 1.3 }, { 0.0, 0.0, 1.0 });
+  stage.SetColourBar("density (free stream 1)", colours, lower, upper);
+}
+
+const gallery::SceneRegistration intervalLinear(
+  { "interval-linear", "3.3", "One interval of a curvilinear grid, coloured by value",
+    "A supersonic stream meets a blunt fin that stands on a plate. The cloud is the air "
+    "denser than 1.2 times the free stream, between the shock and the fin; colour and "
+    "opacity follow its density, so that the dense air at the edge of the fin shows through "
+    "the thinner air around it. The data are one half of the flow; the other half is its "
+    "mirror image.",
+    { "bluntfin.vts" }, &BuildIntervalLinear });
+
+void BuildIntervalTwoAttributes(gallery::Stage& stage)
+{
+  const double slow = 1.75;
+  vtkSmartPointer<vtkStructuredGrid> flow = ReadBluntFin();
+  vtkNew<vtkIntervalVolume> interval;
+  interval->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Speed");
+  interval->SetInterval(0, 0.0, slow);
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(interval, flow);
+
+  const double lower = 0.4;
+  const double upper = 1.6;
+  vtkSmartPointer<vtkColorTransferFunction> colours =
+    gallery::MakeColourMap(gallery::Map::Viridis, lower, upper);
+  gallery::Panel& panel = stage.AddPanel("", { -1.0, 0.8, 0.8 });
+  panel.Add(gallery::MakeColouredActor(gallery::MakeSurface(tetrahedra), "Pressure", colours));
+  panel.Add(MakeBluntFin(flow));
+  stage.SetColourBar(
+    "pressure where the speed is below 1.75 (above 1.6 drawn as 1.6)", colours, lower, upper);
+}
+
+const gallery::SceneRegistration intervalTwoAttributes(
+  { "interval-two-attributes", "3.9", "Extracted by speed, coloured by pressure",
+    "A supersonic stream meets a blunt fin that stands on a plate. The solid is the slow air: the "
+    "boundary layers of plate and fin, and the horseshoe vortex that wraps around the foot of the "
+    "fin. Its colour is another attribute, the pressure, carried through the extraction. The data "
+    "are "
+    "one half of the flow; the other half is its mirror image.",
+    { "bluntfin.vts" }, &BuildIntervalTwoAttributes });
 }

@@ -10,14 +10,10 @@
 #include "Support/Pictures/VolumeStage.h"
 
 #include "vtkAlgorithm.h"
-#include "vtkCamera.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkTimeVaryingIntervalVolume.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <array>
@@ -75,7 +71,6 @@ std::string ToText(double deviation)
 void Build(gallery::Stage& stage)
 {
   vtkNew<vtkTimeVaryingIntervalVolume> interval;
-  interval->SetNumberOfIntervals(1);
   interval->SetInterval(0, -1.0, 1.0);
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra =
     stage.Extract(interval, reference::MakeHypercubePlate(CELLS, 2, 1.0, true));

@@ -8,10 +8,7 @@
 #include "Gallery/Volumes.h"
 #include "Support/Inputs/DataFiles.h"
 
-#include "vtkDataSet.h"
 #include "vtkIntervalVolume.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 
 namespace
 {
@@ -20,17 +17,15 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkDataSet> orbital =
     gallery::AddGradient(interlume::ReadData("hydrogen_orbital.vti"), "probability_density");
   vtkNew<vtkIntervalVolume> interval;
-  interval->SetNumberOfIntervals(1);
   interval->SetInterval(0, 0.04, 0.25);
   interval->GenerateBoundariesOn();
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(interval, orbital);
   vtkSmartPointer<vtkUnstructuredGrid> inner =
     gallery::MakeBoundary(interval, vtkIntervalVolume::UPPER_SIDE);
 
-  gallery::Panel& plain = stage.AddPanel("the interval");
-  gallery::Panel& highlighted = stage.AddPanel("its inner boundary highlighted");
-  plain.LookFrom({ 1.0, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
-  highlighted.LookAs(plain);
+  const vtkVector3d from(1.0, -1.0, 0.5);
+  gallery::Panel& plain = stage.AddPanel("the interval", from);
+  gallery::Panel& highlighted = stage.AddPanel("its inner boundary highlighted", from);
   const gallery::IntervalLook look = { gallery::IntervalColour(0), 0.035 };
   plain.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { look }));
   vtkSmartPointer<vtkVolume> volume = gallery::MakeVolumeOfIntervals(tetrahedra, { look });

@@ -8,11 +8,8 @@
 #include "Gallery/Volumes.h"
 #include "Support/Inputs/DataFiles.h"
 
-#include "vtkImageData.h"
 #include "vtkIntervalVolume.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 
 #include <array>
 
@@ -39,10 +36,9 @@ void Build(gallery::Stage& stage)
     key.emplace_back(gallery::IntervalColour(i), labels[i]);
   }
 
-  gallery::Panel& whole = stage.AddPanel("the whole mesh");
-  gallery::Panel& open = stage.AddPanel("a quarter of the cells hidden");
-  whole.LookFrom({ -0.8, -1.0, 0.35 }, { 0.0, 0.0, 1.0 });
-  open.LookAs(whole);
+  const vtkVector3d from(-0.8, -1.0, 0.35);
+  gallery::Panel& whole = stage.AddPanel("the whole mesh", from);
+  gallery::Panel& open = stage.AddPanel("a quarter of the cells hidden", from);
   const auto draw = [&stage, &intervals, &looks](gallery::Panel& panel, vtkImageData* image)
   {
     vtkSmartPointer<vtkUnstructuredGrid> mesh =

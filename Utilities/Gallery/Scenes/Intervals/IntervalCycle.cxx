@@ -9,10 +9,7 @@
 #include "Support/Inputs/DataFiles.h"
 
 #include "vtkExtractVOI.h"
-#include "vtkImageData.h"
 #include "vtkIntervalVolume.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 
 #include <array>
 
@@ -32,25 +29,14 @@ void Build(gallery::Stage& stage)
     "85 to 255" } };
   const std::array<double, 4> extinctions = { { 0.12, 0.18, 0.18, 0.18 } };
   vtkNew<vtkIntervalVolume> interval;
-  interval->SetNumberOfIntervals(1);
   stage.SetColumns(2);
-  gallery::Panel* first = nullptr;
   for (int i = 0; i < static_cast<int>(captions.size()); ++i)
   {
     interval->SetInterval(0, bounds[i], bounds[i + 1]);
     vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(interval, half);
-    gallery::Panel& panel = stage.AddPanel(captions[i]);
+    gallery::Panel& panel = stage.AddPanel(captions[i], { 0.4, 0.35, -1.0 }, { 0.0, 1.0, 0.0 });
     panel.Add(gallery::MakeVolumeOfIntervals(
       tetrahedra, { { gallery::IntervalColour(i), extinctions[i] } }));
-    if (first)
-    {
-      panel.LookAs(*first);
-    }
-    else
-    {
-      panel.LookFrom({ 0.4, 0.35, -1.0 }, { 0.0, 1.0, 0.0 });
-      first = &panel;
-    }
   }
 }
 

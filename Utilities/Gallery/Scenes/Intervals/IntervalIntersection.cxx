@@ -14,8 +14,6 @@
 #include "vtkDataSet.h"
 #include "vtkIntervalVolume.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 
 #include <string>
 
@@ -35,7 +33,6 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeSolid(
 {
   vtkNew<vtkIntervalVolume> interval;
   interval->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, range.Array);
-  interval->SetNumberOfIntervals(1);
   interval->SetInterval(0, range.Lower, range.Upper);
   if (criterion)
   {

@@ -10,8 +10,6 @@
 #include "vtkDataSet.h"
 #include "vtkIntervalVolume.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 
 #include <array>
 
@@ -33,10 +31,9 @@ void Build(gallery::Stage& stage)
   }
   vtkSmartPointer<vtkUnstructuredGrid> mesh = stage.Extract(intervals, protein);
 
-  gallery::Panel& outside = stage.AddPanel("low values painted last");
-  gallery::Panel& inside = stage.AddPanel("high values painted last");
-  outside.LookFrom({ -1.0, -0.7, 0.5 }, { 0.0, 0.0, 1.0 });
-  inside.LookAs(outside);
+  const vtkVector3d from(-1.0, -0.7, 0.5);
+  gallery::Panel& outside = stage.AddPanel("low values painted last", from);
+  gallery::Panel& inside = stage.AddPanel("high values painted last", from);
   std::vector<gallery::IntervalLook> looks;
   std::vector<gallery::ColourEntry> key;
   for (int i = 0; i < count; ++i)

@@ -7,20 +7,12 @@
 #include "Gallery/Stage.h"
 #include "Gallery/Volumes.h"
 
-#include "vtkActor.h"
-#include "vtkDataSet.h"
-#include "vtkPolyData.h"
-#include "vtkStreamlineTexture.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
-
 namespace
 {
 void Build(gallery::Stage& stage)
 {
   const gallery::MappedFlow flow = gallery::MakeTornado(12.0);
-  gallery::Panel& panel = stage.AddPanel("");
-  panel.LookFrom({ 0.4, -1.0, 0.35 }, { 0.0, 0.0, 1.0 });
+  gallery::Panel& panel = stage.AddPanel("", { 0.4, -1.0, 0.35 });
   panel.Add(gallery::MakeLinedActor(gallery::MakeTexturedSurface(flow, 0.06, 0.45, 10.0, 16.0),
     vtkColor3d(0.95, 0.93, 0.9), gallery::MakeStreamlines(48, gallery::Ink()), nullptr));
   panel.Add(

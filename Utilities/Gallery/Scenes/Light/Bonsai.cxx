@@ -6,11 +6,8 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkExtractVOI.h"
-#include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkSpatialImage.h"
 #include "vtkSpatialOperation.h"
-#include "vtkSpatialPrimitive.h"
 #include "vtkTransform.h"
 
 namespace gallery

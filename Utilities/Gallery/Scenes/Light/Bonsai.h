@@ -3,8 +3,7 @@
 #define Bonsai_h
 
 #include "vtkSmartPointer.h"
-
-class vtkSpatialObject;
+#include "vtkSpatialObject.h"
 
 namespace gallery
 {

@@ -3,15 +3,8 @@
 
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/Bonsai.h"
-#include "Gallery/Scenes/Light/ShadowScene.h"
 #include "Gallery/Scenes/Light/SoftShadows.h"
 #include "Gallery/Stage.h"
-
-#include "vtkImageData.h"
-#include "vtkLight.h"
-#include "vtkSpatialObject.h"
-#include "vtkSpatialPrimitive.h"
-#include "vtkVolumeProperty.h"
 
 namespace
 {

@@ -2,18 +2,10 @@
 // The shadow of a ring within a translucent box, hard and soft.
 
 #include "Gallery/Look.h"
-#include "Gallery/Panel.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/LightScreens.h"
-#include "Gallery/Scenes/Light/ShadowScene.h"
 #include "Gallery/Scenes/Light/SoftShadows.h"
 #include "Gallery/Stage.h"
-
-#include "vtkImageData.h"
-#include "vtkLight.h"
-#include "vtkSpatialObject.h"
-#include "vtkSpatialPrimitive.h"
-#include "vtkVolumeProperty.h"
 
 namespace
 {

@@ -7,13 +7,8 @@
 #include "Support/Inputs/DataFiles.h"
 
 #include "vtkColorTransferFunction.h"
-#include "vtkImageData.h"
-#include "vtkLight.h"
 #include "vtkNew.h"
-#include "vtkSpatialImage.h"
-#include "vtkSpatialObject.h"
 #include "vtkTransform.h"
-#include "vtkVolumeProperty.h"
 
 namespace
 {

@@ -5,13 +5,7 @@
 #include "Gallery/Scenes/Light/ShadowScene.h"
 #include "Support/Inputs/Clouds.h"
 
-#include "vtkImageData.h"
-#include "vtkLight.h"
-#include "vtkRenderer.h"
 #include "vtkShadowedSliceMapper.h"
-#include "vtkSpatialObject.h"
-#include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
 
 namespace gallery
 {

@@ -4,11 +4,11 @@
 
 #include "vtkSmartPointer.h"
 #include "vtkVector.h"
+#include "vtkVolume.h"
 
 #include <array>
 
 class vtkSpatialObject;
-class vtkVolume;
 
 /**
  * What scenes of clouds share.

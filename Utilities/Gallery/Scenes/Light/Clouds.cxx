@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Clouds in the sun, by light that is scattered once and more often.
 
-#include "Gallery/Panel.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/CloudScene.h"
 #include "Gallery/Stage.h"
 #include "Support/Inputs/Clouds.h"
 
-#include "vtkImageData.h"
-#include "vtkLight.h"
 #include "vtkSpatialObject.h"
-#include "vtkVolume.h"
 
 namespace
 {
@@ -23,11 +19,10 @@ const std::vector<interlume::Cumulus> CLOUDS = {
 
 void Build(gallery::Stage& stage, gallery::Scattering scattering, double exposure)
 {
-  gallery::Panel& panel = stage.AddPanel("");
+  gallery::Panel& panel = stage.AddPanel("", { 0.0, -1.0, 0.02 });
   panel.Add(gallery::MakeCloudVolume(
     interlume::MakeClouds(CLOUDS), { { -2.0, 1.9, -0.95, 1.05, -0.15, 1.35 } }, 240, scattering));
   gallery::UseSky(panel, { -0.6, 0.62, 0.75 }, exposure);
-  panel.LookFrom({ 0.0, -1.0, 0.02 }, { 0.0, 0.0, 1.0 });
   panel.Frame(vtkBoundingBox(-1.6, 1.6, -0.1, 0.1, -0.2, 1.4));
 }
 

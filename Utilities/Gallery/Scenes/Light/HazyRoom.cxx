@@ -2,20 +2,13 @@
 #include "Gallery/Scenes/Light/HazyRoom.h"
 
 #include "Gallery/Look.h"
-#include "Gallery/Panel.h"
 #include "Gallery/Scenes/Light/Room.h"
 #include "Gallery/Stage.h"
 
 #include "vtkConstructiveModels.h"
-#include "vtkImageData.h"
-#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkShadowedSliceMapper.h"
-#include "vtkSpatialObject.h"
-#include "vtkSpatialPrimitive.h"
 #include "vtkTransform.h"
-#include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
 
 namespace gallery
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Grids of parallel light, which show the form of what they fall on.
 
-#include "Gallery/Panel.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/LightScreens.h"
 #include "Gallery/Scenes/Light/Protein.h"
@@ -9,12 +8,6 @@
 #include "Gallery/Stage.h"
 
 #include "vtkConstructiveModels.h"
-#include "vtkImageData.h"
-#include "vtkLight.h"
-#include "vtkProjectiveLight.h"
-#include "vtkSpatialObject.h"
-#include "vtkSpatialPrimitive.h"
-#include "vtkVolumeProperty.h"
 
 namespace
 {

@@ -6,12 +6,6 @@
 #include "Gallery/Scenes/Light/LightScreens.h"
 #include "Gallery/Scenes/Light/ShadowScene.h"
 
-#include "vtkImageData.h"
-#include "vtkLight.h"
-#include "vtkProjectiveLight.h"
-#include "vtkSpatialObject.h"
-#include "vtkSpatialPrimitive.h"
-
 #include <cmath>
 
 namespace

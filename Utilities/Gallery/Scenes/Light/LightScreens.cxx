@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gallery/Scenes/Light/LightScreens.h"
 
-#include "Gallery/Panel.h"
 #include "Gallery/Scenes/Light/ShadowScene.h"
 #include "Gallery/Stage.h"
 
-#include "vtkImageData.h"
-#include "vtkLight.h"
-#include "vtkProjectiveLight.h"
 #include "vtkShadowedSliceMapper.h"
-#include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>

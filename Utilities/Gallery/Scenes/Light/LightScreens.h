@@ -3,14 +3,13 @@
 #define LightScreens_h
 
 #include "vtkColor.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkProjectiveLight.h"
 #include "vtkSmartPointer.h"
 #include "vtkVector.h"
 
 #include <functional>
-
-class vtkImageData;
-class vtkLight;
-class vtkProjectiveLight;
 
 /**
  * Lights that shine through a screen, and what is on their screens.

@@ -3,7 +3,6 @@
 // pictures.
 
 #include "Gallery/Look.h"
-#include "Gallery/Panel.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Stage.h"
 #include "Support/Pictures/HalfPlane.h"

@@ -5,10 +5,8 @@
 #include "Support/Inputs/DataFiles.h"
 
 #include "vtkColorTransferFunction.h"
-#include "vtkImageData.h"
 #include "vtkImageResample.h"
 #include "vtkNew.h"
-#include "vtkSpatialImage.h"
 #include "vtkTransform.h"
 
 namespace gallery

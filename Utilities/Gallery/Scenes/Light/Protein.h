@@ -3,8 +3,7 @@
 #define Protein_h
 
 #include "vtkSmartPointer.h"
-
-class vtkSpatialObject;
+#include "vtkSpatialObject.h"
 
 namespace gallery
 {

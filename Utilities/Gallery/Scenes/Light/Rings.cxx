@@ -3,18 +3,11 @@
 
 #include "Gallery/Scenes/Light/Rings.h"
 
-#include "Gallery/Panel.h"
 #include "Gallery/Scene.h"
-#include "Gallery/Scenes/Light/ShadowScene.h"
 #include "Gallery/Scenes/Light/SoftShadows.h"
 #include "Gallery/Stage.h"
 
 #include "vtkConstructiveModels.h"
-#include "vtkImageData.h"
-#include "vtkLight.h"
-#include "vtkSpatialObject.h"
-#include "vtkSpatialPrimitive.h"
-#include "vtkVolumeProperty.h"
 
 vtkSmartPointer<vtkImageData> gallery::SampleRings()
 {

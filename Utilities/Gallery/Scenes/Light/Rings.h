@@ -2,9 +2,8 @@
 #ifndef Rings_h
 #define Rings_h
 
+#include "vtkImageData.h"
 #include "vtkSmartPointer.h"
-
-class vtkImageData;
 
 namespace gallery
 {

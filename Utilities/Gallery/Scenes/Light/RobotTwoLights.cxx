@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A robot in the light of one and of two lamps.
 
-#include "Gallery/Panel.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/LightScreens.h"
 #include "Gallery/Scenes/Light/ShadowScene.h"
 #include "Gallery/Stage.h"
 
 #include "vtkConstructiveModels.h"
-#include "vtkImageData.h"
-#include "vtkLight.h"
-#include "vtkProjectiveLight.h"
-#include "vtkSpatialObject.h"
-#include "vtkSpatialPrimitive.h"
-#include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
 
 namespace
 {

@@ -4,10 +4,7 @@
 #include "Gallery/Scenes/Light/ShadowScene.h"
 
 #include "vtkConstructiveModels.h"
-#include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkSpatialObject.h"
-#include "vtkSpatialPrimitive.h"
 #include "vtkSpatialTurbulence.h"
 #include "vtkTransform.h"
 

@@ -2,10 +2,9 @@
 #ifndef Room_h
 #define Room_h
 
+#include "vtkImageData.h"
 #include "vtkSmartPointer.h"
-
-class vtkImageData;
-class vtkSpatialObject;
+#include "vtkSpatialObject.h"
 
 namespace gallery
 {

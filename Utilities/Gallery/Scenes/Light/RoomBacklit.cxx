@@ -5,20 +5,14 @@
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/HazyRoom.h"
 #include "Gallery/Scenes/Light/LightScreens.h"
-#include "Gallery/Scenes/Light/ShadowScene.h"
 
 #include "vtkActor.h"
 #include "vtkConstructiveModels.h"
-#include "vtkImageData.h"
-#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
-#include "vtkProjectiveLight.h"
 #include "vtkProperty.h"
-#include "vtkSpatialObject.h"
 #include "vtkSpatialOperation.h"
-#include "vtkSpatialPrimitive.h"
 
 namespace
 {

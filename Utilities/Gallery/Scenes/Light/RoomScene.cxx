@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A robot, rings and smoke in a room.
 
-#include "Gallery/Panel.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/Room.h"
 #include "Gallery/Scenes/Light/ShadowScene.h"
 #include "Gallery/Stage.h"
-
-#include "vtkImageData.h"
-#include "vtkLight.h"
-#include "vtkSpatialObject.h"
-#include "vtkVolumeProperty.h"
 
 namespace
 {

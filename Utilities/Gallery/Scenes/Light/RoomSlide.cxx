@@ -5,10 +5,7 @@
 #include "Gallery/Scenes/Light/HazyRoom.h"
 #include "Gallery/Scene.h"
 
-#include "vtkImageData.h"
-#include "vtkLight.h"
 #include "vtkNew.h"
-#include "vtkProjectiveLight.h"
 #include "vtkStdString.h"
 #include "vtkTextProperty.h"
 #include "vtkTextRenderer.h"

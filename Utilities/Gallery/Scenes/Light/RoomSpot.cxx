@@ -4,11 +4,6 @@
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/HazyRoom.h"
 #include "Gallery/Scenes/Light/LightScreens.h"
-#include "Gallery/Scenes/Light/ShadowScene.h"
-
-#include "vtkImageData.h"
-#include "vtkLight.h"
-#include "vtkProjectiveLight.h"
 
 namespace
 {

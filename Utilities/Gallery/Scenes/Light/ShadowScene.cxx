@@ -1,32 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gallery/Scenes/Light/ShadowScene.h"
 
-#include "Gallery/Panel.h"
 #include "Gallery/Stage.h"
 #include "Gallery/VectorArithmetic.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkConstructiveVolume.h"
 #include "vtkFloatArray.h"
-#include "vtkImageData.h"
 #include "vtkImageContinuousDilate3D.h"
 #include "vtkImageGaussianSmooth.h"
 #include "vtkImageShiftScale.h"
-#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
 #include "vtkShadowedSliceMapper.h"
-#include "vtkSpatialImage.h"
 #include "vtkSpatialOperation.h"
-#include "vtkSpatialPrimitive.h"
 #include "vtkSpatialSolid.h"
 #include "vtkTransform.h"
 #include "vtkTurbulenceSource.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <array>

@@ -4,23 +4,23 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkColor.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
 #include "vtkSmartPointer.h"
+#include "vtkSpatialImage.h"
+#include "vtkSpatialObject.h"
+#include "vtkSpatialPrimitive.h"
 #include "vtkVector.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
 #include <string>
 #include <vector>
 
 class vtkColorTransferFunction;
-class vtkImageData;
-class vtkLight;
 class vtkPiecewiseFunction;
 class vtkShadowedSliceMapper;
-class vtkSpatialImage;
-class vtkSpatialObject;
-class vtkSpatialPrimitive;
 class vtkTurbulenceSource;
-class vtkVolume;
-class vtkVolumeProperty;
 
 /**
  * What scenes of volumes in light and shadow share: objects, how matter looks, lights, pairs.

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A room with smoke, denser below, and a cube inside.
 
-#include "Gallery/Panel.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/Room.h"
 #include "Gallery/Scenes/Light/ShadowScene.h"
 #include "Gallery/Stage.h"
 
-#include "vtkImageData.h"
-#include "vtkLight.h"
 #include "vtkNew.h"
-#include "vtkSpatialObject.h"
-#include "vtkSpatialPrimitive.h"
 #include "vtkTurbulenceSource.h"
-#include "vtkVolumeProperty.h"
 
 namespace
 {

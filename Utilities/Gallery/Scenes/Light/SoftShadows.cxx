@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gallery/Scenes/Light/SoftShadows.h"
 
-#include "Gallery/Panel.h"
 #include "Gallery/Stage.h"
 
 #include "vtkAreaLight.h"
-#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkShadowedSliceMapper.h"
-#include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
 
 namespace gallery
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scanned tooth without and with light that is scattered inside.
 
-#include "Gallery/Panel.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/CloudScene.h"
 #include "Gallery/Scenes/Light/ShadowScene.h"
@@ -10,13 +9,9 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataSet.h"
-#include "vtkImageData.h"
-#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkShadowedSliceMapper.h"
-#include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
 
 namespace
 {

@@ -1,31 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Gallery/Scenes/Light/TranslucentBox.h"
+// Beams of light through translucent boxes.
 
 #include "Gallery/Look.h"
-#include "Gallery/Panel.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Light/LightScreens.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Gallery/Scenes/Light/SoftShadows.h"
 #include "Gallery/Stage.h"
 #include "Gallery/VectorArithmetic.h"
 
 #include "vtkActor.h"
 #include "vtkCubeSource.h"
-#include "vtkImageData.h"
-#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkShadowedSliceMapper.h"
-#include "vtkSpatialObject.h"
-#include "vtkSpatialPrimitive.h"
-#include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
+#include "vtkSpatialOperation.h"
+#include "vtkTransform.h"
+#include "vtkVector.h"
 
+#include <array>
 #include <cmath>
 
-namespace gallery
-{
 namespace
 {
+using namespace gallery;
+
+/// Light in a translucent box that is surrounded by thin air.
+struct TranslucentBox
+{
+  vtkVector3d Lengths;
+  /// Around the vertical.
+  double Degrees;
+  /// Extinctions per unit of length.
+  double Extinction;
+  double AirExtinction;
+};
+
 /// Density of the air, of that of the box.
 constexpr double AIR_SHARE = 0.2;
 
@@ -41,7 +53,6 @@ vtkSmartPointer<vtkImageData> SampleBox(const TranslucentBox& box)
   solid->SetEdgeWidth(0.04);
   return Sample(Unite({ Place(solid, { 0.0, 0.0, 0.0 }, box.Degrees), air }),
     vtkBoundingBox(-1.5, 1.5, -0.7, 0.7, -1.0, 1.0), 140);
-}
 }
 
 vtkSmartPointer<vtkActor> MakeBoxFrame(const vtkVector3d& lengths, double degrees)
@@ -63,6 +74,8 @@ vtkSmartPointer<vtkActor> MakeBoxFrame(const vtkVector3d& lengths, double degree
   return actor;
 }
 
+/// Adds two panels of \a box around the origin: without attenuation of \a beams, and with it.
+/// The air is 3 units long, 2 units high and wide.
 ShadowPair AddTranslucentBox(Stage& stage, const TranslucentBox& box, const Lights& beams)
 {
   vtkSmartPointer<vtkImageData> image = SampleBox(box);
@@ -92,4 +105,104 @@ ShadowPair AddTranslucentBox(Stage& stage, const TranslucentBox& box, const Ligh
   }
   return { without, with };
 }
+
+void BuildBeamBox(gallery::Stage& stage)
+{
+  const TranslucentBox box = { { 1.0, 0.6, 0.7 }, 35.0, 2.2, 0.4 };
+  AddTranslucentBox(stage, box,
+    { gallery::MakeBeam({ -3.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.26, 4.4, { 1.0, 0.86, 0.6 }) })
+    .Look({ 0.0, -1.0, 0.35 }, vtkBoundingBox(-0.74, 0.74, -0.3, 0.3, -0.6, 0.6));
+}
+
+const gallery::SceneRegistration beamBox(
+  { "beam-box", "2.25", "A beam of light through a box turned by 35 degrees",
+    "The beam goes from left to right, perpendicular to the view. Without attenuation it is "
+    "brightest at the right, where less of the translucent box lies in front of it; with "
+    "attenuation most of "
+    "its light is lost in the box, and only a little leaves.",
+    {}, &BuildBeamBox });
+
+void BuildBeamsCube(gallery::Stage& stage)
+{
+  const std::array<vtkColor3d, 3> colours = { { { 1.0, 0.16, 0.10 }, { 0.16, 1.0, 0.22 },
+    { 0.16, 0.32, 1.0 } } };
+  gallery::Lights beams;
+  double height = 0.24;
+  for (const vtkColor3d& colour : colours)
+  {
+    const vtkVector3d centre(0.0, 0.0, height);
+    beams.push_back(
+      gallery::MakeBeam(centre + vtkVector3d(1.6, -0.2, 0.75), centre, 0.2, 6.5, colour));
+    height -= 0.24;
+  }
+  const TranslucentBox cube = { { 0.84, 0.84, 0.84 }, 25.0, 1.8, 0.35 };
+  AddTranslucentBox(stage, cube, beams)
+    .Look({ 0.1, -1.0, 0.25 }, vtkBoundingBox(-0.74, 0.74, -0.3, 0.3, -0.6, 0.6));
+}
+
+const gallery::SceneRegistration beamsCube(
+  { "beams-cube", "2.24", "Red, green and blue beams through a translucent cube",
+    "Parallel beams come in at the upper right, pass a translucent cube and leave it at the lower "
+    "left, in air thin enough to show them. Without attenuation they leave as bright as they came; "
+    "with it the cube takes most of their light. In both what is in front hides a part of them.",
+    {}, &BuildBeamsCube });
+
+const vtkVector3d BOX(0.6, 0.6, 0.84);
+const vtkVector3d PLACE(0.42, 0.0, 0.0);
+constexpr double DEGREES = 24.0;
+
+/// A screen across the x axis, with three holes above each other.
+vtkSmartPointer<vtkSpatialObject> MakeScreen()
+{
+  const vtkColor3d metal(0.42, 0.45, 0.50);
+  auto screen = vtkSmartPointer<vtkSpatialOperation>::New();
+  screen->SetOperationToDifference();
+  screen->AddOperand(gallery::MakeDisk({ 0.0, 0.0, 0.03 }, 0.66, 0.06, metal));
+  for (const double aside : { -0.2, 0.0, 0.2 })
+  {
+    screen->AddOperand(gallery::MakeDisk({ aside, 0.0, 0.2 }, 0.065, 0.4, metal));
+  }
+  vtkNew<vtkTransform> transform;
+  transform->Translate(-0.95, 0.0, 0.0);
+  transform->RotateY(90.0);
+  screen->SetTransform(transform);
+  return screen;
+}
+
+void BuildBeamSoft(gallery::Stage& stage)
+{
+  const vtkColor3d white(1.0, 1.0, 1.0);
+  vtkSmartPointer<vtkImageData> image =
+    gallery::Sample(MakeScreen(), vtkBoundingBox(-1.05, 1.25, -0.7, 0.7, -0.7, 0.7), 115);
+  vtkSmartPointer<vtkSpatialPrimitive> air =
+    gallery::MakeBox({ -0.9, -0.5, -0.5 }, { 1.2, 0.5, 0.5 }, white);
+  air->SetDensity(0.16);
+  air->SetEdgeWidth(0.2);
+  gallery::AddSmoke(image,
+    gallery::Unite(
+      { gallery::Place(gallery::MakeBox(-0.5 * BOX, 0.5 * BOX, white), PLACE, DEGREES), air }),
+    0.2, white);
+  vtkSmartPointer<vtkVolumeProperty> matter = gallery::MakeSolidMatterInSmoke(image, 0.03);
+  matter->SetAmbient(0.03);
+  vtkSmartPointer<vtkLight> lamp = gallery::MakePointLight({ -3.2, 0.0, 0.0 }, 15.0);
+  lamp->SetDiffuseColor(1.0, 0.86, 0.6);
+  // All of this scatters evenly, at its edges too.
+  gallery::SoftPair pair = gallery::AddSoftPair(stage, image, matter, { lamp }, 0.4, 1.0, 192);
+  for (gallery::Panel* panel : { &pair.Hard, &pair.Soft })
+  {
+    panel->SetBackground(gallery::DarkBackground());
+    panel->SetAmbientOcclusion(0.0);
+    vtkSmartPointer<vtkActor> frame = MakeBoxFrame(BOX, DEGREES);
+    frame->SetPosition(PLACE[0], PLACE[1], PLACE[2]);
+    panel->Add(frame);
+  }
+  pair.Look({ 0.35, -1.0, 0.25 }, vtkBoundingBox(-0.98, 0.92, -0.1, 0.1, -0.5, 0.5));
+}
+
+const gallery::SceneRegistration beamSoft(
+  { "beam-soft", "2.38", "Beams of light behind holes, hard and soft",
+    "Light falls through three holes of a screen into thin smoke and a translucent box. In the "
+    "light of a point each beam keeps its edge; in that of a disk the beams widen behind the holes "
+    "and flow into each other, and their cores fade.",
+    {}, &BuildBeamSoft });
 }

@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mushrooms of polygons under a scanned bonsai.
 
-#include "Gallery/Panel.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/Bonsai.h"
-#include "Gallery/Scenes/Light/ShadowScene.h"
 #include "Gallery/Scenes/Light/SoftShadows.h"
 #include "Gallery/Scenes/Mixed/ModelActors.h"
 #include "Gallery/Stage.h"
 
-#include "vtkImageData.h"
-#include "vtkLight.h"
 #include "vtkShadowedSliceMapper.h"
-#include "vtkSpatialObject.h"
-#include "vtkSpatialPrimitive.h"
-#include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
 
 namespace
 {

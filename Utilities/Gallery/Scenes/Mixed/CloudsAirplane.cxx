@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An airplane of polygons above clouds.
 
-#include "Gallery/Panel.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/CloudScene.h"
 #include "Gallery/Scenes/Light/ShadowScene.h"
 #include "Gallery/Scenes/Mixed/ModelActors.h"
 #include "Gallery/Stage.h"
 #include "Support/Inputs/Clouds.h"
-
-#include "vtkImageData.h"
-#include "vtkLight.h"
-#include "vtkSpatialObject.h"
-#include "vtkVolume.h"
 
 namespace
 {
@@ -27,7 +21,7 @@ void Build(gallery::Stage& stage)
     { { { -1.95, -0.3, 0.0 } }, 0.55, 0.8, 0.3, 8, 17 },
     { { { 1.3, -0.95, 0.0 } }, 0.5, 0.8, 0.22, 8, 19 },
   };
-  gallery::Panel& panel = stage.AddPanel("");
+  gallery::Panel& panel = stage.AddPanel("", { 0.12, -1.0, 0.62 });
   vtkSmartPointer<vtkVolume> volume = gallery::MakeCloudVolume(interlume::MakeClouds(clouds),
     { { -2.6, 2.4, -1.6, 1.7, -0.12, 0.95 } }, 260, gallery::Scattering::FULL);
   // These clouds are small: by droplets that scatter less forwards they are white up to their
@@ -40,7 +34,6 @@ void Build(gallery::Stage& stage)
     0.8, 0.5);
   gallery::UseSceneShadows(panel);
   gallery::UseSky(panel, { -0.6, -0.25, 0.85 }, 0.75);
-  panel.LookFrom({ 0.12, -1.0, 0.62 }, { 0.0, 0.0, 1.0 });
   panel.Frame(vtkBoundingBox(-1.5, 1.5, -0.5, 0.5, -0.12, 1.0));
 }
 

@@ -2,21 +2,15 @@
 // A desk of polygons in a smoky room with the sun in its window.
 
 #include "Gallery/Look.h"
-#include "Gallery/Panel.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/LightScreens.h"
 #include "Gallery/Scenes/Light/ShadowScene.h"
 #include "Gallery/Scenes/Mixed/ModelActors.h"
 #include "Gallery/Stage.h"
 
-#include "vtkImageData.h"
-#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkSpatialPrimitive.h"
 #include "vtkTurbulenceSource.h"
-#include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
 
 namespace
 {
@@ -81,7 +75,7 @@ void Build(gallery::Stage& stage)
   Append(desk, Move(MakeLamp(), { { -0.42, 0.12, 0.72 } }, { { 0.0, 0.0, -30.0 } }));
   Append(desk, Move(MakeBooks(), { { 0.36, 0.04, 0.72 } }));
   Append(desk, Move(MakeMug(), { { 0.06, -0.08, 0.72 } }, { { 0.0, 0.0, -40.0 } }));
-  gallery::Panel& panel = stage.AddPanel("");
+  gallery::Panel& panel = stage.AddPanel("", { 0.12, -1.0, 0.1 });
   gallery::AddModel(panel, MakeShell());
   gallery::AddModel(panel, Move(desk, { { 0.46, 0.3, 0.0 } }, { { 0.0, 0.0, 6.0 } }));
   gallery::AddModel(panel, Move(MakeChair(), { { 0.1, -0.3, 0.0 } }, { { 0.0, 0.0, 24.0 } }));
@@ -93,7 +87,6 @@ void Build(gallery::Stage& stage)
   // The sky is seen through the window alone.
   panel.SetBackground(vtkColor3d(0.93, 0.95, 1.0));
   panel.Frame(vtkBoundingBox(-1.08, 1.08, -1.0, -0.99, 0.1, 1.45));
-  panel.LookFrom({ 0.12, -1.0, 0.1 }, { 0.0, 0.0, 1.0 });
 }
 
 const gallery::SceneRegistration registration({ "desk-smoke", "2.46", "A desk in a smoky room",

@@ -9,10 +9,8 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkRenderer.h"
 #include "vtkShadowedScenePass.h"
 #include "vtkShadowedSliceMapper.h"
-#include "vtkVolume.h"
 #include "vtkVolumeCollection.h"
 
 namespace gallery

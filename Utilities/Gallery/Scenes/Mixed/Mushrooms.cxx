@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mushrooms of polygons, and their shadows.
 
-#include "Gallery/Panel.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/LightScreens.h"
-#include "Gallery/Scenes/Light/ShadowScene.h"
 #include "Gallery/Scenes/Light/SoftShadows.h"
 #include "Gallery/Scenes/Mixed/ModelActors.h"
 #include "Gallery/Stage.h"
-
-#include "vtkLight.h"
 
 namespace
 {

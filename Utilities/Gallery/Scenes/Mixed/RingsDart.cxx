@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A dart of polygons that points at rings of a volume.
 
-#include "Gallery/Panel.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/Rings.h"
 #include "Gallery/Scenes/Light/ShadowScene.h"
 #include "Gallery/Scenes/Mixed/ModelActors.h"
 #include "Gallery/Stage.h"
-
-#include "vtkImageData.h"
-#include "vtkLight.h"
-#include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
 
 namespace
 {

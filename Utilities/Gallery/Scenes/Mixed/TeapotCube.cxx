@@ -2,20 +2,14 @@
 // A teapot of polygons within a translucent cube.
 
 #include "Gallery/Look.h"
-#include "Gallery/Panel.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/LightScreens.h"
 #include "Gallery/Scenes/Light/ShadowScene.h"
 #include "Gallery/Scenes/Mixed/ModelActors.h"
 #include "Gallery/Stage.h"
 
-#include "vtkImageData.h"
-#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkSpatialPrimitive.h"
-#include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
 
 namespace
 {
@@ -31,7 +25,7 @@ void Build(gallery::Stage& stage)
   matter->SetAmbient(0.15);
   matter->SetDiffuse(0.95);
   matter->SetSpecular(0.0);
-  gallery::Panel& panel = stage.AddPanel("");
+  gallery::Panel& panel = stage.AddPanel("", { 0.25, -1.0, 0.5 });
   // All of this scatters evenly, at its edges too.
   panel.Add(gallery::MakeSlicedVolume(image, matter, 1.0));
   gallery::AddModel(panel,
@@ -40,7 +34,6 @@ void Build(gallery::Stage& stage)
   gallery::UseSceneShadows(panel);
   panel.SetLights({ gallery::MakePointLight({ -2.2, -0.9, 4.0 }, 1.0),
     gallery::MakeFillLight({ 1.0, -1.0, 0.5 }, 0.25) });
-  panel.LookFrom({ 0.25, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
   panel.Frame(vtkBoundingBox(-1.3, 1.3, -0.1, 0.1, -0.82, 1.4));
 }
 

@@ -1,26 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Gallery/Scenes/SpaceTime/DeltaWing.h"
+// The vortices above a delta wing over time, and the boundaries of their volume in space and time.
 
 #include "Gallery/Look.h"
 #include "Gallery/Props.h"
+#include "Gallery/Scene.h"
 #include "Gallery/Stage.h"
 #include "Gallery/TimeBoundary.h"
+#include "Gallery/TimePanel.h"
+#include "Gallery/Volumes.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
+#include "vtkColor.h"
 #include "vtkDeltaWingSource.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
-#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkTimeVaryingIntervalVolume.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 
 #include <cmath>
+#include <string>
+#include <vector>
 
-namespace gallery
+namespace
 {
+using namespace gallery;
+
+/// A boundary of a time-varying interval volume: which of vtkTimeVaryingIntervalVolume's
+/// BoundaryKinds, and how its panel looks.
+struct ShownBoundary
+{
+  int Kind;
+  std::string Caption;
+  IntervalLook Look;
+};
+
+/// The vortices above a delta wing at times 0.65 and 1.85. Between them the spirals turn by 65
+/// degrees, and the breakdown comes back to where it was.
 vtkSmartPointer<vtkDeltaWingSource> MakeDeltaWingVortices()
 {
   auto vortices = vtkSmartPointer<vtkDeltaWingSource>::New();
@@ -29,6 +46,7 @@ vtkSmartPointer<vtkDeltaWingSource> MakeDeltaWingVortices()
   return vortices;
 }
 
+/// The wing under these vortices, from its apex at the origin to x = 1.
 vtkSmartPointer<vtkActor> MakeDeltaWing(const vtkColor3d& colour)
 {
   vtkNew<vtkDeltaWingSource> vortices;
@@ -45,10 +63,11 @@ vtkSmartPointer<vtkActor> MakeDeltaWing(const vtkColor3d& colour)
   return MakeActor(MakeSurface(wing), colour);
 }
 
+/// Adds a panel for each of the boundaries, which are tetrahedra, of the interval 0.35 to 0.6 of
+/// these vortices.
 void ShowDeltaWingBoundaries(Stage& stage, const std::vector<ShownBoundary>& boundaries)
 {
   vtkNew<vtkTimeVaryingIntervalVolume> interval;
-  interval->SetNumberOfIntervals(1);
   interval->SetInterval(0, 0.35, 0.6);
   interval->GenerateTetrahedraOff();
   for (const ShownBoundary& boundary : boundaries)
@@ -56,22 +75,61 @@ void ShowDeltaWingBoundaries(Stage& stage, const std::vector<ShownBoundary>& bou
     interval->SetGenerateBoundary(boundary.Kind, true);
   }
   stage.Extract(interval, MakeDeltaWingVortices());
-  Panel* first = nullptr;
   for (const ShownBoundary& boundary : boundaries)
   {
-    Panel& panel = stage.AddPanel(boundary.Caption);
-    if (first)
-    {
-      panel.LookAs(*first);
-    }
-    else
-    {
-      first = &panel;
-      panel.LookFrom({ -0.85, -0.25, 1.0 }, { 0.0, 0.0, 1.0 });
-    }
+    Panel& panel = stage.AddPanel(boundary.Caption, { -0.85, -0.25, 1.0 });
     panel.Add(
       MakeVolumeOfIntervals(MakeTimeBoundary(interval, { boundary.Kind }), { boundary.Look }));
     panel.Add(MakeDeltaWing(Pencil()));
   }
 }
+
+void BuildTimeDelta(gallery::Stage& stage)
+{
+  gallery::Panel& panel = gallery::AddPanelInTime(stage, MakeDeltaWingVortices(), 0.35, 0.6, 8.0);
+  panel.Add(MakeDeltaWing({ 0.2, 0.21, 0.23 }));
+  panel.LookFrom({ -0.6, -0.8, 0.9 }, { 0.0, 0.0, 1.0 });
+}
+
+const gallery::SceneRegistration timeDelta({ "time-delta", "3.22",
+  "Vortices above a delta wing between two time steps",
+  "Where the loss of pressure in two vortices, which break down to spirals, is from 0.35 to 0.6 at "
+  "any time between two steps. Colours of all times are added up: green was left since the first "
+  "step, red is new at the second, yellow stays. The spirals turn, and both breakdowns end where "
+  "they began. A stand-in for the data of the source, with a formula.",
+  {}, &BuildTimeDelta });
+
+void BuildTimeEndVolumes(gallery::Stage& stage)
+{
+  ShowDeltaWingBoundaries(stage,
+    { { vtkTimeVaryingIntervalVolume::VOLUME_AT_START, "time 0.65",
+        { gallery::IntervalColour(2), 25.0 } },
+      { vtkTimeVaryingIntervalVolume::VOLUME_AT_END, "time 1.85",
+        { gallery::IntervalColour(3), 25.0 } } });
+}
+
+const gallery::SceneRegistration timeEndVolumes(
+  { "time-end-volumes", "3.29", "Interval volumes at the first and at the last time",
+    "The vortices above a delta wing from 0.35 to 0.6 at both ends of the time between two steps, "
+    "boundaries of the volume in space and time that come with it in the same pass. The spirals "
+    "have turned.",
+    {}, &BuildTimeEndVolumes });
+
+void BuildTimeIsosurfaces(gallery::Stage& stage)
+{
+  ShowDeltaWingBoundaries(stage,
+    { { vtkTimeVaryingIntervalVolume::LOWER_SURFACE_IN_TIME,
+        "the isosurface 0.35, time 0.65 to 1.85", { gallery::IntervalColour(0), 25.0 } },
+      { vtkTimeVaryingIntervalVolume::UPPER_SURFACE_IN_TIME,
+        "the isosurface 0.6, time 0.65 to 1.85", { gallery::IntervalColour(3), 25.0 } } });
+}
+
+const gallery::SceneRegistration timeIsosurfaces(
+  { "time-isosurfaces", "3.28", "Two isosurfaces over all times between two steps",
+    "What the lower and the upper isosurface of the vortices above a delta wing sweep while they "
+    "move "
+    "from one time step to the next: two further boundaries of the volume in space and time, drawn "
+    "as "
+    "ordinary volumes of one colour. Where a surface stands still, nothing is swept.",
+    {}, &BuildTimeIsosurfaces });
 }

@@ -10,17 +10,12 @@
 #include "Support/Inputs/DataFiles.h"
 #include "Support/Inputs/ExodusTimeSource.h"
 
-#include "vtkActor.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkDataObject.h"
 #include "vtkFeatureEdges.h"
 #include "vtkNew.h"
-#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkTimeVaryingIntervalVolume.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <vector>
@@ -51,7 +46,6 @@ void Build(gallery::Stage& stage)
   {
     vtkNew<vtkTimeVaryingIntervalVolume> interval;
     interval->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array);
-    interval->SetNumberOfIntervals(1);
     interval->SetInterval(0, 0.3, 0.5);
     vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(interval, mug);
 

@@ -6,12 +6,9 @@
 #include "Gallery/Scene.h"
 #include "Gallery/Stage.h"
 
-#include "vtkActor.h"
 #include "vtkAnalyticFieldSource.h"
 #include "vtkNew.h"
-#include "vtkPolyData.h"
 #include "vtkTimeVaryingIntervalVolume.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <array>
 
@@ -29,29 +26,17 @@ void Build(gallery::Stage& stage)
   wave->SetTimeRange(times.front(), times.back());
   wave->SetNumberOfTimeSteps(2);
   vtkNew<vtkTimeVaryingIntervalVolume> interval;
-  interval->SetNumberOfIntervals(1);
   interval->SetInterval(0, -0.15, 0.15);
   interval->GenerateTetrahedraOff();
   interval->GenerateSimplicesOn();
   stage.Extract(interval, wave);
   vtkUnstructuredGrid* simplices =
     vtkUnstructuredGrid::SafeDownCast(interval->GetOutputDataObject(2));
-
-  gallery::Panel* first = nullptr;
   for (std::size_t i = 0; i < times.size(); ++i)
   {
-    gallery::Panel& panel = stage.AddPanel(captions[i]);
+    gallery::Panel& panel = stage.AddPanel(captions[i], { 0.55, -1.0, 1.0 });
     panel.Add(gallery::MakeActor(gallery::MakeSurface(stage.Slice(simplices, times[i]), 80.0),
       gallery::IntervalColour(static_cast<int>(i) + 1)));
-    if (first)
-    {
-      panel.LookAs(*first);
-    }
-    else
-    {
-      panel.LookFrom({ 0.55, -1.0, 1.0 }, { 0.0, 0.0, 1.0 });
-      first = &panel;
-    }
   }
 }
 

@@ -1,10 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Gallery/Scenes/SpaceTime/Wave.h"
+// A traveling wave over time: colored by time, and its bounding isosurfaces.
+
+#include "Gallery/Look.h"
+#include "Gallery/Props.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Stage.h"
+#include "Gallery/TimeBoundary.h"
+#include "Gallery/TimePanel.h"
+#include "Gallery/Volumes.h"
 
 #include "vtkAnalyticFieldSource.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkTimeVaryingIntervalVolume.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkVolumeProperty.h"
 
-namespace gallery
+#include <array>
+
+namespace
 {
+using namespace gallery;
+
+/// The source's test function, a travelling wave, on its 40 x 20 x 20 points at times 0 and 1.
 vtkSmartPointer<vtkAnalyticFieldSource> MakeWave()
 {
   auto wave = vtkSmartPointer<vtkAnalyticFieldSource>::New();
@@ -15,4 +33,52 @@ vtkSmartPointer<vtkAnalyticFieldSource> MakeWave()
   wave->SetNumberOfTimeSteps(2);
   return wave;
 }
+
+void BuildWaveInTime(gallery::Stage& stage)
+{
+  gallery::Panel& panel = gallery::AddPanelInTime(stage, MakeWave(), -0.15, 0.15, 1.1);
+  panel.LookFrom({ 0.27, -1.0, 0.13 }, { 0.0, 0.0, 1.0 });
+}
+
+const gallery::SceneRegistration waveInTime(
+  { "wave-in-time", "3.20", "A wave between two time steps, coloured by time",
+    "A sheet between two isovalues that follows a wave, 40 x 20 x 20 points and two time "
+    "steps, over all times between them at once, seen along its crests. Green is where it "
+    "was at first, red where it is at last, yellow where it is half of the time or all of "
+    "it: the wave travels to the right. Colours of different times are added up.",
+    {}, &BuildWaveInTime });
+
+void BuildTimeBoundaries(gallery::Stage& stage)
+{
+  vtkNew<vtkTimeVaryingIntervalVolume> interval;
+  interval->SetInterval(0, -0.15, 0.15);
+  const std::array<const char*, 4> captions = { { "a   t = 0, f = -0.15", "b   t = 0, f = 0.15",
+    "c   t = 1, f = -0.15", "d   t = 1, f = 0.15" } };
+  const int count = static_cast<int>(captions.size());
+  for (int kind = 0; kind < count; ++kind)
+  {
+    interval->SetGenerateBoundary(kind, true);
+  }
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(interval, MakeWave());
+
+  stage.SetColumns(2);
+  for (int kind = 0; kind < count; ++kind)
+  {
+    gallery::Panel& panel =
+      stage.AddPanel(captions[static_cast<std::size_t>(kind)], { 0.25, -1.0, 0.55 });
+    vtkSmartPointer<vtkVolume> volume = gallery::MakeVolumeInTime(tetrahedra, { 0.0, 1.0 }, 2.5);
+    panel.Add(volume);
+    panel.Add(
+      gallery::MakeActor(gallery::MakeSurface(gallery::MakeTimeBoundary(interval, { kind })),
+        gallery::IntervalColour(0)));
+    stage.SetColourBar("time", volume->GetProperty()->GetRGBTransferFunction(), 0.0, 1.0);
+  }
+}
+
+const gallery::SceneRegistration timeBoundaries({ "time-boundaries", "3.27",
+  "Four isosurfaces that bound a time-varying interval volume",
+  "A sheet that follows a travelling wave, f from -0.15 to 0.15, at all times between two steps, "
+  "green to red. Each panel highlights one of its boundaries: the lower or the upper isosurface at "
+  "the first or the last time. They come with the volume in the same pass.",
+  {}, &BuildTimeBoundaries });
 }
