@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iterator>
 #include <map>
-#include <set>
 #include <utility>
 
 namespace costs
@@ -21,11 +19,6 @@ const std::vector<std::string> Counters = { "passes", "buffers", "bytes", "words
 
 /// The rows that a summary is made of.
 using Group = std::vector<BenchRow>;
-
-bool IsOfFeature(const BenchRow& row)
-{
-  return !row.Parameter.is_null() && row.Case != AllScenes;
-}
 
 std::vector<double> GetCounts(const Group& group, const std::string& name)
 {
@@ -48,72 +41,30 @@ double GetLargest(const std::vector<double>& numbers)
                              [](double a, double b) { return std::abs(a) < std::abs(b); });
 }
 
-/// What is left of features that are off.
-void SetLeft(BenchRow& row, const Group& group)
-{
-  for (const std::string& name : Counters)
-  {
-    row.Counts[name] = GetLargest(GetCounts(group, name));
-  }
-  const std::vector<double> within = GetCounts(group, "within_noise");
-  if (within.empty())
-  {
-    return;
-  }
-  row.Set({ { "ms", Median(GetCounts(group, "ms")) },
-    { "ms_largest", GetLargest(GetCounts(group, "ms")) },
-    { "noise_ms", Median(GetCounts(group, "noise_ms")) }, { "timed", within.size() },
-    { "within_noise", std::count(within.begin(), within.end(), 1.0) } });
-}
-
 BenchRow OfFeature(BenchRow row, const Group& group)
 {
   row.Case = AllScenes;
   row.Seconds.reset();
   row.Counts = { { "scenes", group.size() } };
-  SetLeft(row, group);
+  for (const std::string& name : Counters)
+  {
+    row.Counts[name] = GetLargest(GetCounts(group, name));
+  }
+  const std::vector<double> within = GetCounts(group, "within_noise");
+  if (!within.empty())
+  {
+    row.Set({ { "ms", Median(GetCounts(group, "ms")) },
+      { "ms_largest", GetLargest(GetCounts(group, "ms")) },
+      { "noise_ms", Median(GetCounts(group, "noise_ms")) }, { "timed", within.size() },
+      { "within_noise", std::count(within.begin(), within.end(), 1.0) } });
+  }
   for (const std::string& name : Counters)
   {
     row.Counts["on_" + name] = Median(GetCounts(group, "on_" + name));
   }
-  if (row.Counts.contains("ms"))
+  if (!within.empty())
   {
     row.Counts["on_ms"] = Median(GetCounts(group, "on_ms"));
-  }
-  return row;
-}
-
-BenchRow OfScene(BenchRow row, const Group& group)
-{
-  row.Method = AllFeatures;
-  row.Parameter = nullptr;
-  row.Seconds.reset();
-  row.Counts = { { "features", group.size() } };
-  SetLeft(row, group);
-  return row;
-}
-
-/// \a all: its rows, also those of scenes that say that they do not execute it.
-BenchRow OfClass(BenchRow row, const Group& all, std::size_t scenes)
-{
-  Group group;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(group),
-    [](const BenchRow& one) { return one.Counts.value("executions", 0) > 0; });
-  row.Case = AllScenes;
-  std::vector<double> seconds;
-  for (const BenchRow& one : group)
-  {
-    seconds.push_back(*one.Seconds);
-  }
-  row.Seconds.reset();
-  if (!seconds.empty())
-  {
-    row.Seconds = MedianOf(seconds);
-  }
-  row.Counts = { { "scenes", group.size() }, { "others", scenes - group.size() } };
-  for (const char* name : { "executions", "arrays", "bytes" })
-  {
-    row.Counts[name] = Median(GetCounts(group, name));
   }
   return row;
 }
@@ -127,7 +78,7 @@ BenchClaim MakeClaim(const std::string& text, const std::vector<BenchRow>& rows,
   int met = 0;
   for (const BenchRow& row : rows)
   {
-    if (!IsOfFeature(row))
+    if (row.Case == AllScenes)
     {
       continue;
     }
@@ -158,45 +109,18 @@ double GetMostLeft(const BenchRow& row)
 
 const char* const Suite = "scene-costs";
 const char* const AllScenes = "all scenes";
-const char* const AllFeatures = "all features";
 
-std::vector<BenchRow> Summarise(const std::vector<BenchRow>& rows)
+std::vector<BenchRow> Summarize(const std::vector<BenchRow>& rows)
 {
-  std::set<std::string> scenes;
   std::map<std::pair<std::string, std::string>, Group> features;
-  std::map<std::string, Group> classes;
-  std::vector<Group> ofScenes;
   for (const BenchRow& row : rows)
   {
-    if (scenes.insert(row.Case).second)
-    {
-      ofScenes.emplace_back();
-    }
-    if (IsOfFeature(row))
-    {
-      features[{ row.Method, row.GetParameterText() }].push_back(row);
-      ofScenes.back().push_back(row);
-    }
-    else
-    {
-      classes[row.Method].push_back(row);
-    }
+    features[{ row.Method, row.GetParameterText() }].push_back(row);
   }
   std::vector<BenchRow> summaries;
   for (const auto& feature : features)
   {
     summaries.push_back(OfFeature(feature.second.front(), feature.second));
-  }
-  for (const auto& one : classes)
-  {
-    summaries.push_back(OfClass(one.second.front(), one.second, scenes.size()));
-  }
-  for (const Group& group : ofScenes)
-  {
-    if (!group.empty())
-    {
-      summaries.push_back(OfScene(group.front(), group));
-    }
   }
   return summaries;
 }

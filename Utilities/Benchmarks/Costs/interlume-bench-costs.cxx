@@ -10,16 +10,7 @@
 #include "Gallery/Scene.h"
 #include "Gallery/Stopwatch.h"
 
-#ifdef INTERLUME_HAS_MESHING
-#include "vtkTetrahedralMesher.h"
-
-#include "vtkCellCenters.h"
-#include "vtkNew.h"
-#endif
-
-#include "vtkAlgorithm.h"
 #include "vtkSMPTools.h"
-#include "vtkSmartPointer.h"
 
 #include <CLI/CLI.hpp>
 
@@ -35,26 +26,6 @@
 
 namespace
 {
-/// Filters that are no part of the gallery's packages, where they were built.
-std::vector<gallery::OptionalClass> GetOptionalClasses()
-{
-#ifdef INTERLUME_HAS_MESHING
-  return { { "vtkTetrahedralMesher",
-    [](vtkAlgorithmOutput* input)
-    {
-      // Of points alone, which it takes from any scene: cells may be as flat as rounding.
-      vtkNew<vtkCellCenters> points;
-      points->SetInputConnection(input);
-      auto mesher = vtkSmartPointer<vtkTetrahedralMesher>::New();
-      mesher->SetInputConnection(points->GetOutputPort());
-      mesher->SetTimeLimit(20.0);
-      return vtkSmartPointer<vtkAlgorithm>(mesher);
-    } } };
-#else
-  return {};
-#endif
-}
-
 /// Milliseconds with as many digits as a clock has.
 double Milliseconds(double seconds)
 {
@@ -88,22 +59,6 @@ BenchRow MakeRow(
   return row;
 }
 
-void AddRows(const gallery::SceneCosts& scene, BenchRows& rows)
-{
-  for (const auto& [name, costs] : scene.Executed)
-  {
-    BenchRow row = rows.Make(scene.Scene, name);
-    row.Seconds = BenchSeconds{ costs.Seconds, 1 };
-    row.Set(
-      { { "executions", costs.Executions }, { "arrays", costs.Arrays }, { "bytes", costs.Bytes } });
-    rows.Add(row);
-  }
-  for (const gallery::FeatureCosts& feature : scene.Features)
-  {
-    rows.Add(MakeRow(rows, scene.Scene, feature));
-  }
-}
-
 /// Rows by scene, without their summaries.
 using SceneRows = std::map<std::string, std::vector<BenchRow>>;
 
@@ -113,7 +68,7 @@ void Take(const BenchResults& file, SceneRows& scenes)
   SceneRows taken;
   for (const BenchRow& row : file.RowsOf(costs::Suite))
   {
-    if (row.Case != costs::AllScenes && row.Method != costs::AllFeatures)
+    if (row.Case != costs::AllScenes)
     {
       taken[row.Case].push_back(row);
     }
@@ -138,7 +93,7 @@ void SetRows(BenchResults& results, const SceneRows& scenes)
     }
   }
   results.SetClaims(costs::Suite, costs::CheckClaims(rows));
-  const std::vector<BenchRow> summaries = costs::Summarise(rows);
+  const std::vector<BenchRow> summaries = costs::Summarize(rows);
   rows.insert(rows.end(), summaries.begin(), summaries.end());
   results.Rows = rows;
 }
@@ -186,7 +141,10 @@ void Measure(const std::vector<std::string>& names, const gallery::CostSettings&
       continue;
     }
     BenchRows rows(costs::Suite);
-    AddRows(gallery::MeasureSceneCosts(scene, settings), rows);
+    for (const gallery::FeatureCosts& feature : gallery::MeasureSceneCosts(scene, settings))
+    {
+      rows.Add(MakeRow(rows, scene.Id, feature));
+    }
     scenes[scene.Id] = rows.Get();
     // Scene by scene, so that a run that is ended has a file too.
     results.Suites[costs::Suite]["took"] = std::round(watch.Seconds());
@@ -210,7 +168,6 @@ int main(int argc, char* argv[])
   std::string json;
   std::vector<std::string> from;
   gallery::CostSettings settings;
-  settings.Optional = GetOptionalClasses();
   CLI::App app("Measures what scenes of the gallery pay for features that they do not use, and "
                "what these would add.");
   auto* scenes = app.add_option("SCENE", names, "Scenes; default all of the gallery")

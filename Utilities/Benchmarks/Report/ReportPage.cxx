@@ -33,38 +33,26 @@ td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: 
 .failed { color: #a00; font-weight: 600; }
 summary { cursor: pointer; }
 )";
-/// The rows of interlume-bench-costs: features, then folded scenes, classes and all others. Empty
-/// without rows of scenes.
+/// The rows of interlume-bench-costs: features over all scenes, then, folded, of each scene. Empty
+/// without rows.
 std::string CostsOf(const BenchResults& results)
 {
-  std::vector<BenchRow> features;
-  std::vector<BenchRow> classes;
-  std::vector<BenchRow> scenes;
-  std::vector<BenchRow> others;
-  for (const BenchRow& row : results.RowsOf(costs::Suite))
-  {
-    const bool isOfAll = row.Case == costs::AllScenes;
-    (row.Method == costs::AllFeatures        ? scenes
-        : isOfAll && row.Parameter.is_null() ? classes
-        : isOfAll                            ? features
-                                             : others)
-      .push_back(row);
-  }
-  if (scenes.empty())
+  std::vector<BenchRow> rows = results.RowsOf(costs::Suite);
+  const auto scenes = std::stable_partition(
+    rows.begin(), rows.end(), [](const BenchRow& row) { return row.Case == costs::AllScenes; });
+  if (scenes == rows.begin())
   {
     return {};
   }
-  const auto folded = [](const std::vector<BenchRow>& rows, const std::string& what)
-  { return html::Folded(std::to_string(rows.size()) + what, html::TableOf(rows)); };
+  const std::vector<BenchRow> ofScenes(scenes, rows.end());
+  rows.erase(scenes, rows.end());
   return "<p>What is left of each feature that a scene of the gallery does not use, after it was "
          "switched on and off: the largest numbers over the scenes; ms is processor time against "
          "the same scene that never had the feature. With on_ what it adds, medians. " +
     html::Escaped(MachineInOneLine(results.Machine, results.Vtk)) + "; " +
     html::Escaped(ConditionsInOneLine(results.Conditions)) + "; " +
-    html::Escaped(results.Conditions.value("command", "")) + ".</p>\n" + html::TableOf(features) +
-    folded(scenes, " scenes") +
-    folded(classes, " classes that scenes execute; others have no execution, array or byte") +
-    folded(others, " rows of scenes");
+    html::Escaped(results.Conditions.value("command", "")) + ".</p>\n" + html::TableOf(rows) +
+    html::Folded(std::to_string(ofScenes.size()) + " rows of scenes", html::TableOf(ofScenes));
 }
 }
 

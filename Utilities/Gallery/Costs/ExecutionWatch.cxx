@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gallery/Costs/ExecutionWatch.h"
 
-#include "Gallery/Stopwatch.h"
-
 #include "vtkCompositeDataPipeline.h"
-#include "vtkDataObject.h"
-#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
@@ -17,7 +13,7 @@ namespace
 {
 ExecutionWatch* Current = nullptr;
 
-/// The executive that most algorithms have, which tells of executions.
+/// The executive of most algorithms, which reports executions.
 class WatchedPipeline : public vtkCompositeDataPipeline
 {
 public:
@@ -28,27 +24,12 @@ protected:
   int ExecuteData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
   {
-    const Stopwatch watch;
     const int result = this->Superclass::ExecuteData(request, inputs, outputs);
-    ExecutionWatch::Note(this->GetAlgorithm(), watch.Seconds());
+    ExecutionWatch::Note(this->GetAlgorithm());
     return result;
   }
 };
 vtkStandardNewMacro(WatchedPipeline);
-}
-
-void ExecutionCosts::AddOutputs(vtkAlgorithm* algorithm)
-{
-  for (int port = 0; port < algorithm->GetNumberOfOutputPorts(); ++port)
-  {
-    vtkDataObject* output = algorithm->GetOutputDataObject(port);
-    for (int type = 0; output && type < vtkDataObject::NUMBER_OF_ATTRIBUTE_TYPES; ++type)
-    {
-      vtkFieldData* arrays = output->GetAttributesAsFieldData(type);
-      this->Arrays += arrays ? arrays->GetNumberOfArrays() : 0;
-    }
-    this->Bytes += output ? static_cast<vtkIdType>(1024 * output->GetActualMemorySize()) : 0;
-  }
 }
 
 ExecutionWatch::ExecutionWatch()
@@ -64,20 +45,15 @@ ExecutionWatch::~ExecutionWatch()
   Current = nullptr;
 }
 
-void ExecutionWatch::Note(vtkAlgorithm* algorithm, double seconds)
+void ExecutionWatch::Note(vtkAlgorithm* algorithm)
 {
-  if (!Current)
+  if (Current)
   {
-    return;
-  }
-  ExecutionCosts& costs = Current->Classes[algorithm->GetClassName()];
-  ++costs.Executions;
-  costs.Seconds += seconds;
-  costs.AddOutputs(algorithm);
-  auto& kept = Current->Algorithms;
-  if (std::find(kept.begin(), kept.end(), algorithm) == kept.end())
-  {
-    kept.emplace_back(algorithm);
+    auto& found = Current->Algorithms;
+    if (std::find(found.begin(), found.end(), algorithm) == found.end())
+    {
+      found.emplace_back(algorithm);
+    }
   }
 }
 }

@@ -13,6 +13,7 @@
 #include "vtkTimeVaryingIntervalVolume.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 
+#include <functional>
 #include <numeric>
 
 namespace gallery
@@ -72,18 +73,18 @@ public:
     feature.SwitchOn = [=](vtkObject* object)
     {
       auto* typed = static_cast<Type*>(object);
-      const Value before = get(typed);
-      set(typed, on);
-      return std::function<void()>([=]() { set(typed, before); });
+      const Value before = std::invoke(get, typed);
+      std::invoke(set, typed, on);
+      return std::function<void()>([=]() { std::invoke(set, typed, before); });
     };
     this->Features.push_back(feature);
   }
-  /// A setting that is on where it is not off's value.
-  template <typename Get, typename Set, typename Own, typename Value>
-  void Add(const char* name, const Get& get, const Set& set, const Own& own, Value on, Value off)
+  /// A setting that is on unless its value is the one of off.
+  template <typename Get, typename Set, typename Own, typename Value = bool>
+  void Add(const char* name, Get get, Set set, const Own& own, Value on = true, Value off = false)
   {
     this->AddIf(
-      name, [=](Type* object) { return get(object) != off; }, get, set, own, on);
+      name, [=](Type* object) { return std::invoke(get, object) != off; }, get, set, own, on);
   }
 
 private:
@@ -95,50 +96,32 @@ void AddExtractions(std::vector<Feature>& features)
 {
   using Interval = vtkIntervalVolume;
   FeatureList<Interval> intervals("vtkIntervalVolume", features);
-  intervals.Add(
-    "GenerateBoundaries", [](Interval* filter) { return filter->GetGenerateBoundaries(); },
-    [](Interval* filter, bool on) { filter->SetGenerateBoundaries(on); },
-    [](Interval* filter) { return CountCells(filter, 1); }, true, false);
-  intervals.Add(
-    "KeepWholeCells", [](Interval* filter) { return filter->GetKeepWholeCells(); },
-    [](Interval* filter, bool on) { filter->SetKeepWholeCells(on); },
+  intervals.Add("GenerateBoundaries", &Interval::GetGenerateBoundaries,
+    &Interval::SetGenerateBoundaries, [](Interval* filter) { return CountCells(filter, 1); });
+  intervals.Add("KeepWholeCells", &Interval::GetKeepWholeCells, &Interval::SetKeepWholeCells,
     [](Interval* filter)
-    { return filter->GetReport().WholeCells + filter->GetReport().WarpedFaces; },
-    true, false);
-  intervals.Add(
-    "KeepOrigins", [](Interval* filter) { return filter->GetKeepOrigins(); },
-    [](Interval* filter, bool on) { filter->SetKeepOrigins(on); },
-    [](Interval* filter) { return CountArray(filter, "OriginPoints"); }, true, false);
-  intervals.Add(
-    "UseValueIndex", [](Interval* filter) { return filter->GetUseValueIndex(); },
-    [](Interval* filter, bool on) { filter->SetUseValueIndex(on); },
-    [](Interval* filter) { return filter->GetReport().Cells - filter->GetReport().CellsVisited; },
-    true, false);
+    { return filter->GetReport().WholeCells + filter->GetReport().WarpedFaces; });
+  intervals.Add("KeepOrigins", &Interval::GetKeepOrigins, &Interval::SetKeepOrigins,
+    [](Interval* filter) { return CountArray(filter, "OriginPoints"); });
+  intervals.Add("UseValueIndex", &Interval::GetUseValueIndex, &Interval::SetUseValueIndex,
+    [](Interval* filter) { return filter->GetReport().Cells - filter->GetReport().CellsVisited; });
 
   using Contour = vtkIsotableContour;
   FeatureList<Contour> contours("vtkIsotableContour", features);
-  contours.Add(
-    "UseValueIndex", [](Contour* filter) { return filter->GetUseValueIndex(); },
-    [](Contour* filter, bool on) { filter->SetUseValueIndex(on); },
-    [](Contour* filter) { return filter->GetReport().Cells - filter->GetReport().CellsVisited; },
-    true, false);
+  contours.Add("UseValueIndex", &Contour::GetUseValueIndex, &Contour::SetUseValueIndex,
+    [](Contour* filter) { return filter->GetReport().Cells - filter->GetReport().CellsVisited; });
 
   using InTime = vtkTimeVaryingIntervalVolume;
   FeatureList<InTime> inTime("vtkTimeVaryingIntervalVolume", features);
-  inTime.Add(
-    "GenerateSimplices", [](InTime* filter) { return filter->GetGenerateSimplices(); },
-    [](InTime* filter, bool on) { filter->SetGenerateSimplices(on); },
-    [](InTime* filter) { return CountCells(filter, 2); }, true, false);
+  inTime.Add("GenerateSimplices", &InTime::GetGenerateSimplices, &InTime::SetGenerateSimplices,
+    [](InTime* filter) { return CountCells(filter, 2); });
   // Off are none of the kinds.
-  inTime.Add(
-    "GenerateBoundaries", &HasBoundaries,
-    [](InTime* filter, bool on) { filter->SetGenerateBoundaries(on); },
+  inTime.Add("GenerateBoundaries", &HasBoundaries, &InTime::SetGenerateBoundaries,
     [](InTime* filter)
     {
       const auto& cells = filter->GetReport().Boundaries;
       return Sum(cells.data(), cells.data() + cells.size());
-    },
-    true, false);
+    });
 }
 
 void AddFlows(std::vector<Feature>& features)
@@ -146,8 +129,7 @@ void AddFlows(std::vector<Feature>& features)
   using Field = vtkImplicitFlowField;
   FeatureList<Field> fields("vtkImplicitFlowField", features);
   fields.Add(
-    "RefinementLevels", [](Field* filter) { return filter->GetRefinementLevels(); },
-    [](Field* filter, int levels) { filter->SetRefinementLevels(levels); },
+    "RefinementLevels", &Field::GetRefinementLevels, &Field::SetRefinementLevels,
     [](Field* filter)
     {
       const auto& added = filter->GetReport().AddedSamples;
@@ -155,46 +137,29 @@ void AddFlows(std::vector<Feature>& features)
     },
     1, 0);
   fields.Add(
-    "SamplingChecks", [](Field* filter) { return filter->GetSamplingChecks(); },
-    [](Field* filter, int checks) { filter->SetSamplingChecks(checks); },
+    "SamplingChecks", &Field::GetSamplingChecks, &Field::SetSamplingChecks,
     [](Field* filter) { return filter->GetReport().Sampling.Checks; }, 500, 0);
-  fields.Add(
-    "ShareStreamlines", [](Field* filter) { return filter->GetShareStreamlines(); },
-    [](Field* filter, bool on) { filter->SetShareStreamlines(on); },
+  fields.Add("ShareStreamlines", &Field::GetShareStreamlines, &Field::SetShareStreamlines,
     [](Field* filter)
-    { return filter->GetReport().SharedSamples + filter->GetReport().SharedChecks; },
-    true, false);
-  fields.Add(
-    "KeepSteps", [](Field* filter) { return filter->GetKeepSteps(); },
-    [](Field* filter, bool on) { filter->SetKeepSteps(on); },
-    [](Field* filter) { return CountArray(filter, "AdvectionSteps"); }, true, false);
-  fields.Add(
-    "ComputeMaximumSpeed", [](Field* filter) { return filter->GetComputeMaximumSpeed(); },
-    [](Field* filter, bool on) { filter->SetComputeMaximumSpeed(on); },
-    [](Field* filter) { return CountArray(filter, "MaximumSpeed"); }, true, false);
-  fields.Add(
-    "ComputeArcLength", [](Field* filter) { return filter->GetComputeArcLength(); },
-    [](Field* filter, bool on) { filter->SetComputeArcLength(on); },
-    [](Field* filter) { return CountArray(filter, "ArcLength"); }, true, false);
-  fields.Add(
-    "ComputeMeanVorticity", [](Field* filter) { return filter->GetComputeMeanVorticity(); },
-    [](Field* filter, bool on) { filter->SetComputeMeanVorticity(on); },
-    [](Field* filter) { return CountArray(filter, "MeanVorticity"); }, true, false);
+    { return filter->GetReport().SharedSamples + filter->GetReport().SharedChecks; });
+  fields.Add("KeepSteps", &Field::GetKeepSteps, &Field::SetKeepSteps,
+    [](Field* filter) { return CountArray(filter, "AdvectionSteps"); });
+  fields.Add("ComputeMaximumSpeed", &Field::GetComputeMaximumSpeed, &Field::SetComputeMaximumSpeed,
+    [](Field* filter) { return CountArray(filter, "MaximumSpeed"); });
+  fields.Add("ComputeArcLength", &Field::GetComputeArcLength, &Field::SetComputeArcLength,
+    [](Field* filter) { return CountArray(filter, "ArcLength"); });
+  fields.Add("ComputeMeanVorticity", &Field::GetComputeMeanVorticity,
+    &Field::SetComputeMeanVorticity,
+    [](Field* filter) { return CountArray(filter, "MeanVorticity"); });
 
   using Volume = vtkFlowVolume;
   FeatureList<Volume> volumes("vtkFlowVolume", features);
-  volumes.Add(
-    "GenerateStreamSurfaces", [](Volume* filter) { return filter->GetGenerateStreamSurfaces(); },
-    [](Volume* filter, bool on) { filter->SetGenerateStreamSurfaces(on); },
-    [](Volume* filter) { return CountCells(filter, 1); }, true, false);
-  volumes.Add(
-    "GenerateTimeSurfaces", [](Volume* filter) { return filter->GetGenerateTimeSurfaces(); },
-    [](Volume* filter, bool on) { filter->SetGenerateTimeSurfaces(on); },
-    [](Volume* filter) { return CountCells(filter, 2); }, true, false);
-  volumes.Add(
-    "GenerateNormals", [](Volume* filter) { return filter->GetGenerateNormals(); },
-    [](Volume* filter, bool on) { filter->SetGenerateNormals(on); },
-    [](Volume* filter) { return filter->GetReport().NormalPasses; }, true, false);
+  volumes.Add("GenerateStreamSurfaces", &Volume::GetGenerateStreamSurfaces,
+    &Volume::SetGenerateStreamSurfaces, [](Volume* filter) { return CountCells(filter, 1); });
+  volumes.Add("GenerateTimeSurfaces", &Volume::GetGenerateTimeSurfaces,
+    &Volume::SetGenerateTimeSurfaces, [](Volume* filter) { return CountCells(filter, 2); });
+  volumes.Add("GenerateNormals", &Volume::GetGenerateNormals, &Volume::SetGenerateNormals,
+    [](Volume* filter) { return filter->GetReport().NormalPasses; });
 }
 
 void AddDrawings(std::vector<Feature>& features)
@@ -203,8 +168,7 @@ void AddDrawings(std::vector<Feature>& features)
   FeatureList<Slices> slices("vtkShadowedSliceMapper", features);
   slices.AddIf(
     "Shadows", [](Slices* mapper) { return mapper->GetReport().ShadowedLights > 0; },
-    [](Slices* mapper) { return mapper->GetShadows(); },
-    [](Slices* mapper, bool on) { mapper->SetShadows(on); },
+    &Slices::GetShadows, &Slices::SetShadows,
     [](Slices* mapper)
     {
       const vtkShadowedSliceReport& report = mapper->GetReport();
@@ -212,31 +176,26 @@ void AddDrawings(std::vector<Feature>& features)
     },
     true);
   slices.Add(
-    "MultipleScattering", [](Slices* mapper) { return mapper->GetMultipleScattering(); },
-    [](Slices* mapper, int mode) { mapper->SetMultipleScattering(mode); },
+    "MultipleScattering", &Slices::GetMultipleScattering, &Slices::SetMultipleScattering,
     [](Slices* mapper)
     { return mapper->GetReport().ScatteringCells + mapper->GetReport().ScatteringBytes; },
     static_cast<int>(Slices::FORWARD_SCATTERING), static_cast<int>(Slices::NO_SCATTERING));
 
   using Paint = vtkImplicitFlowVolumeMapper;
   FeatureList<Paint> paints("vtkImplicitFlowVolumeMapper", features);
-  paints.Add(
-    "Shadows", [](Paint* mapper) { return mapper->GetShadows(); },
-    [](Paint* mapper, bool on) { mapper->SetShadows(on); },
+  paints.Add("Shadows", &Paint::GetShadows, &Paint::SetShadows,
     [](Paint* mapper)
     {
       const vtkImplicitFlowVolumeReport& report = mapper->GetReport();
       return report.LightBuffers + report.Sweeps + report.LightBufferBytes;
-    },
-    true, false);
+    });
 
   using Tetrahedra = vtkTimeWeightedTetrahedraMapper;
   FeatureList<Tetrahedra> tetrahedra("vtkTimeWeightedTetrahedraMapper", features);
   tetrahedra.AddIf(
     "MPVONC_SORT",
     [](Tetrahedra* mapper) { return mapper->GetReport().SortMode != Tetrahedra::NO_SORT; },
-    [](Tetrahedra* mapper) { return mapper->GetSortMode(); },
-    [](Tetrahedra* mapper, int mode) { mapper->SetSortMode(mode); },
+    &Tetrahedra::GetSortMode, &Tetrahedra::SetSortMode,
     [](Tetrahedra* mapper)
     {
       const vtkTetrahedraReport& report = mapper->GetReport();
@@ -247,22 +206,18 @@ void AddDrawings(std::vector<Feature>& features)
   tetrahedra.AddIf(
     "PRIORITY_BLEND",
     [](Tetrahedra* mapper) { return mapper->GetReport().BlendMode == Tetrahedra::PRIORITY_BLEND; },
-    [](Tetrahedra* mapper) { return mapper->GetBlendMode(); },
-    [](Tetrahedra* mapper, int mode) { mapper->SetBlendMode(mode); },
+    &Tetrahedra::GetBlendMode, &Tetrahedra::SetBlendMode,
     [](Tetrahedra* mapper) { return mapper->GetReport().Layers; },
     static_cast<int>(Tetrahedra::PRIORITY_BLEND));
 
   using Scene = vtkShadowedScenePass;
   FeatureList<Scene> scenes("vtkShadowedScenePass", features);
-  scenes.Add(
-    "Shadows", [](Scene* pass) { return pass->GetShadows(); },
-    [](Scene* pass, bool on) { pass->SetShadows(on); },
+  scenes.Add("Shadows", &Scene::GetShadows, &Scene::SetShadows,
     [](Scene* pass)
     {
       const vtkShadowedSceneReport& report = pass->GetReport();
       return report.DepthMaps + report.SampleMaps + report.DepthMapBytes + report.SampleMapBytes;
-    },
-    true, false);
+    });
 }
 }
 

@@ -2,6 +2,7 @@
 #include "Gallery/Costs/SceneCosts.h"
 
 #include "Gallery/Costs/ContextCount.h"
+#include "Gallery/Costs/ExecutionWatch.h"
 #include "Gallery/Costs/Feature.h"
 #include "Gallery/Picture.h"
 #include "Gallery/Scene.h"
@@ -9,18 +10,15 @@
 #include "Gallery/Stopwatch.h"
 
 #include "vtkCallbackCommand.h"
-#include "vtkCellType.h"
 #include "vtkCommand.h"
-#include "vtkImageData.h"
+#include "vtkDataObject.h"
+#include "vtkFieldData.h"
 #include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkNew.h"
 #include "vtkRenderPass.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
 #include "vtkShadowedScenePass.h"
 #include "vtkShadowedSliceMapper.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
-#include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
 #include "vtkVolumeCollection.h"
 
@@ -69,45 +67,7 @@ struct Subject
   std::function<Costs()> Run;
   /// Makes all states start alike.
   std::function<void()> Begin;
-  /// Of a filter: algorithms that are run with it.
-  std::shared_ptr<std::vector<vtkSmartPointer<vtkAlgorithm>>> Behind;
 };
-
-/// Whether a filter's first output is a grid of cells that have volumes.
-bool MakesTetrahedra(vtkObject* object)
-{
-  auto* filter = vtkAlgorithm::SafeDownCast(object);
-  auto* grid = filter && filter->GetNumberOfOutputPorts() > 0
-    ? vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0))
-    : nullptr;
-  return grid && grid->GetNumberOfCells() > 0 && grid->IsHomogeneous() &&
-    grid->GetCellType(0) == VTK_TETRA;
-}
-
-/// An optional class as a feature of a subject.
-Feature MakeFeature(const OptionalClass& optional, const Subject& subject)
-{
-  Feature feature;
-  feature.Class = optional.Name;
-  feature.Name = std::string("behind ") + subject.Object->GetClassName();
-  feature.IsOn = [](vtkObject*) { return false; };
-  const auto behind = subject.Behind;
-  feature.Own = [behind](vtkObject*)
-  {
-    ExecutionCosts made;
-    for (vtkAlgorithm* one : *behind)
-    {
-      made.AddOutputs(one);
-    }
-    return static_cast<double>(made.Arrays);
-  };
-  feature.SwitchOn = [behind, make = optional.Make](vtkObject* object)
-  {
-    behind->push_back(make(static_cast<vtkAlgorithm*>(object)->GetOutputPort()));
-    return std::function<void()>([behind]() { behind->clear(); });
-  };
-  return feature;
-}
 
 /// How much longer one subject takes than another, run by run in turn.
 struct Pairs
@@ -134,39 +94,23 @@ struct Pairs
 class Meter
 {
 public:
-  Meter(SceneCosts& costs, const CostSettings& settings)
-    : Found(costs)
-    , Settings(settings)
+  explicit Meter(const CostSettings& settings)
+    : Settings(settings)
   {
   }
+
+  const std::vector<FeatureCosts>& Get() const { return this->Found; }
 
   /// \a never is the same subject of the scene that was built again, without an object where there
   /// is none.
   void Add(const Subject& subject, const Subject& never)
   {
-    std::vector<Feature> features;
-    for (const Feature& feature : AllFeatures())
-    {
-      if (feature.Class == subject.Object->GetClassName())
-      {
-        features.push_back(feature);
-      }
-    }
-    for (const OptionalClass& optional : this->Settings.Optional)
-    {
-      if (subject.Behind && this->Found.Executed[optional.Name].Executions == 0 &&
-        this->Behind.count(optional.Name) == 0 && MakesTetrahedra(subject.Object))
-      {
-        this->Behind.insert(optional.Name);
-        features.push_back(MakeFeature(optional, subject));
-      }
-    }
     // What both differ by without a feature, and how it varies.
     Pairs without;
-    for (const Feature& feature : features)
+    for (const Feature& feature : AllFeatures())
     {
-      const bool isAsked =
-        this->Settings.OnlyClass.empty() || this->Settings.OnlyClass == feature.Class;
+      const bool isAsked = feature.Class == subject.Object->GetClassName() &&
+        (this->Settings.OnlyClass.empty() || this->Settings.OnlyClass == feature.Class);
       if (isAsked && !feature.IsOn(subject.Object) &&
         this->Measured.insert({ feature.Class, feature.Name }).second)
       {
@@ -178,12 +122,7 @@ public:
           Pairs().Add(subject, never, this->Settings, 2);
           without.Add(subject, never, this->Settings, this->Settings.Pairs);
         }
-        const FeatureCosts measured = this->Measure(feature, subject, never, without);
-        // An optional class may have an input here that it refuses.
-        if (this->Behind.count(feature.Class) == 0 || measured.OwnOn > 0.0)
-        {
-          this->Found.Features.push_back(measured);
-        }
+        this->Found.push_back(this->Measure(feature, subject, never, without));
       }
     }
   }
@@ -248,17 +187,29 @@ private:
       GetNoise(after, without);
   }
 
-  SceneCosts& Found;
+  std::vector<FeatureCosts> Found;
   const CostSettings& Settings;
   std::set<std::pair<std::string, std::string>> Measured;
-  /// Optional classes that were put behind a filter.
-  std::set<std::string> Behind;
 };
+
+/// Adds the arrays and bytes of a filter's outputs.
+void AddOutputs(vtkAlgorithm* filter, Costs& costs)
+{
+  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkDataObject* output = filter->GetOutputDataObject(port);
+    for (int type = 0; output && type < vtkDataObject::NUMBER_OF_ATTRIBUTE_TYPES; ++type)
+    {
+      vtkFieldData* arrays = output->GetAttributesAsFieldData(type);
+      costs.Arrays += arrays ? arrays->GetNumberOfArrays() : 0;
+    }
+    costs.Bytes += output ? 1024.0 * static_cast<double>(output->GetActualMemorySize()) : 0.0;
+  }
+}
 
 Subject MakeSubject(vtkAlgorithm* filter)
 {
-  const auto behind = std::make_shared<std::vector<vtkSmartPointer<vtkAlgorithm>>>();
-  const auto run = [filter, behind]()
+  const auto run = [filter]()
   {
     vtkNew<vtkCallbackCommand> nothing;
     // A feature may have nothing to do here, which filters say.
@@ -266,25 +217,14 @@ Subject MakeSubject(vtkAlgorithm* filter)
     filter->Modified();
     const ProcessorWatch watch;
     filter->Update();
-    for (vtkAlgorithm* one : *behind)
-    {
-      one->Update();
-    }
     Costs taken;
     taken.Seconds = watch.Seconds();
     filter->RemoveObserver(tag);
-    ExecutionCosts made;
-    made.AddOutputs(filter);
-    for (vtkAlgorithm* one : *behind)
-    {
-      made.AddOutputs(one);
-    }
-    taken.Arrays = made.Arrays;
-    taken.Bytes = static_cast<double>(made.Bytes);
-    taken.Passes = 1.0 + static_cast<double>(behind->size());
+    AddOutputs(filter, taken);
+    taken.Passes = 1.0;
     return taken;
   };
-  return { filter, run, []() {}, behind };
+  return { filter, run, []() {} };
 }
 
 /// The passes that what a renderer draws reports.
@@ -363,8 +303,7 @@ private:
         this->Open();
         this->Drawn.DrawIn(this->Window);
         this->Open();
-      },
-      nullptr };
+      } };
   }
 
   void Open()
@@ -392,7 +331,7 @@ private:
   vtkSmartPointer<vtkRenderWindow> Window;
 };
 
-/// A scene that was built, and what its filters did.
+/// A scene that was built, and its filters.
 class BuiltScene
 {
 public:
@@ -402,11 +341,8 @@ public:
   {
     const ExecutionWatch watch;
     scene.Build(this->Place);
-    this->Executed = watch.GetClasses();
     this->Filters = watch.GetAlgorithms();
   }
-
-  const std::map<std::string, ExecutionCosts>& GetExecuted() const { return this->Executed; }
 
   std::vector<Subject> GetFilters() const
   {
@@ -428,7 +364,6 @@ public:
 private:
   const CostSettings& Settings;
   Stage Place;
-  std::map<std::string, ExecutionCosts> Executed;
   std::vector<vtkSmartPointer<vtkAlgorithm>> Filters;
 };
 
@@ -439,7 +374,7 @@ void Add(Meter& meter, const std::vector<Subject>& subjects, const std::vector<S
   {
     const bool isSame = i < never.size() &&
       std::string(never[i].Object->GetClassName()) == subjects[i].Object->GetClassName();
-    meter.Add(subjects[i], isSame ? never[i] : Subject{ nullptr, {}, {}, nullptr });
+    meter.Add(subjects[i], isSame ? never[i] : Subject{ nullptr, {}, {} });
   }
 }
 }
@@ -455,17 +390,10 @@ Costs Subtract(const Costs& one, const Costs& other)
     one.Words - other.Words, one.Arrays - other.Arrays, one.Seconds - other.Seconds };
 }
 
-SceneCosts MeasureSceneCosts(const Scene& scene, const CostSettings& settings)
+std::vector<FeatureCosts> MeasureSceneCosts(const Scene& scene, const CostSettings& settings)
 {
-  SceneCosts costs;
-  costs.Scene = scene.Id;
-  Meter meter(costs, settings);
+  Meter meter(settings);
   BuiltScene built(scene, settings);
-  costs.Executed = built.GetExecuted();
-  for (const OptionalClass& optional : settings.Optional)
-  {
-    costs.Executed[optional.Name];
-  }
   const auto never = settings.Pairs > 0 ? std::make_unique<BuiltScene>(scene, settings)
                                         : std::unique_ptr<BuiltScene>();
   Add(meter, built.GetFilters(), never ? never->GetFilters() : std::vector<Subject>());
@@ -487,6 +415,6 @@ SceneCosts MeasureSceneCosts(const Scene& scene, const CostSettings& settings)
       Add(meter, panel.GetSubjects(), {});
     }
   }
-  return costs;
+  return meter.Get();
 }
 }

@@ -2,14 +2,8 @@
 #ifndef SceneCosts_h
 #define SceneCosts_h
 
-#include "Gallery/Costs/ExecutionWatch.h"
-
-#include <functional>
-#include <map>
 #include <string>
 #include <vector>
-
-class vtkAlgorithmOutput;
 
 namespace gallery
 {
@@ -62,23 +56,6 @@ struct FeatureCosts
   bool IsWithinNoise() const;
 };
 
-struct SceneCosts
-{
-  std::string Scene;
-  /// What each class executed while the scene was built. A class that is not here has made nothing.
-  std::map<std::string, ExecutionCosts> Executed;
-  /// Each class of filters and mappers that the scene has, once for each feature that is off.
-  std::vector<FeatureCosts> Features;
-};
-
-/// A class that scenes may or may not have: a filter of tetrahedra.
-struct OptionalClass
-{
-  std::string Name;
-  /// Makes one of what a filter gives.
-  std::function<vtkSmartPointer<vtkAlgorithm>(vtkAlgorithmOutput* input)> Make;
-};
-
 /// How scenes are measured.
 struct CostSettings
 {
@@ -91,22 +68,19 @@ struct CostSettings
   double Limit = 10.0;
   /// Only features of this class, where it is given.
   std::string OnlyClass;
-  /// Beside what the gallery is made of. A scene without such a class has it with no execution in
-  /// Executed, and it is measured as a feature of the first filter that makes tetrahedra there: it
-  /// is put behind that.
-  std::vector<OptionalClass> Optional;
 };
 
 /**
  * Builds a scene, draws its panels, and switches every feature that is off on and off again in each
- * object that could have it. Of objects of one class the first without the feature counts.
+ * object that could have it. Of objects of one class the first without the feature counts. Returns
+ * each class of filters and mappers that the scene has, once for each feature that is off.
  *
  * For times the scene is built twice. Where an object has a feature in the one, the same object of
  * the other never has any, and both take turns: before the first feature, which says what they
  * differ by without any, while a feature is on, and after. Panels are drawn in a new window for
  * each state, after one drawing in another.
  */
-SceneCosts MeasureSceneCosts(const Scene& scene, const CostSettings& settings);
+std::vector<FeatureCosts> MeasureSceneCosts(const Scene& scene, const CostSettings& settings);
 }
 
 #endif
