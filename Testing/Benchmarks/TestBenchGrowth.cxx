@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Exponents and claims on rows that are made up.
-#include "Benchmarks/Growth/GrowthFit.h"
-#include "Benchmarks/Growth/GrowthMeasure.h"
+#include "Benchmarks/Growth/Growth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -120,35 +119,25 @@ void TestOneSize()
   Expect(growth::CheckExponents(first.Get())[0].Cases.empty(), "one point makes no exponent");
 }
 
-/// What is taken off, memory of some pages, and a difference below nothing.
-void TestDifferences()
+/// Memory of some pages is none, and memory that was not measured has no exponent.
+void TestMemory()
 {
-  BenchRows rows("growth");
-  const growth::Quantity lights = MakeQuantity("lights");
+  const growth::Quantity quantity = MakeQuantity("pages");
+  BenchRows pages("growth");
+  BenchRows none("growth");
   for (const int n : { 1, 2, 4 })
   {
-    rows.Add(growth::MakeSizeRow(rows, lights,
-      { { "n", n }, { "input_kib", 1.0 }, { "seconds", 9.0 }, { "processor_seconds", 5.0 + n },
-        { "kib", 10 * n + 50 }, { "without_seconds", 5.0 }, { "without_processor_seconds", 5.0 },
-        { "without_kib", 50 } },
-      BenchOptions()));
+    nlohmann::ordered_json found = { { "n", n }, { "input_kib", 1.0 }, { "seconds", 9.0 },
+      { "processor_seconds", 1.0 * n } };
+    none.Add(growth::MakeSizeRow(none, quantity, found, BenchOptions()));
+    found["kib"] = 10 * n;
+    pages.Add(growth::MakeSizeRow(pages, quantity, found, BenchOptions()));
   }
-  ExpectNear(rows.Get().back().Counts["kib"], 40.0, "memory over the rest");
-  growth::AddExponentRows(lights, rows);
-  ExpectNear(GetExponent("lights", growth::TimeExponent, rows.Get()), 1.0, "time over the rest");
-  ExpectNear(GetExponent("lights", growth::MemoryExponent, rows.Get()), 0.0, "pages");
-
-  BenchRows noise("growth");
-  for (const int n : { 1, 2 })
-  {
-    noise.Add(growth::MakeSizeRow(noise, lights,
-      { { "n", n }, { "input_kib", 1.0 }, { "seconds", 1.0 }, { "processor_seconds", 1.0 * n },
-        { "without_seconds", 9.0 }, { "without_processor_seconds", 9.0 } },
-      BenchOptions()));
-  }
-  growth::AddExponentRows(lights, noise);
-  ExpectNear(GetExponent("lights", growth::TimeExponent, noise.Get()), 1.0, "a share of the whole");
-  Expect(std::none_of(noise.Get().begin(), noise.Get().end(),
+  growth::AddExponentRows(quantity, pages);
+  growth::AddExponentRows(quantity, none);
+  ExpectNear(GetExponent("pages", growth::TimeExponent, pages.Get()), 1.0, "time");
+  ExpectNear(GetExponent("pages", growth::MemoryExponent, pages.Get()), 0.0, "memory of pages");
+  Expect(std::none_of(none.Get().begin(), none.Get().end(),
            [](const BenchRow& row) { return row.Method == growth::MemoryExponent; }),
     "an exponent of memory that was not measured");
 }
@@ -167,7 +156,7 @@ void TestQuantities()
         quantity.Time.Least <= quantity.Time.Most,
       "theory of " + quantity.Name);
   }
-  Expect(names.size() == 12, "not all quantities are there");
+  Expect(names.size() == 6, "not all quantities are there");
 }
 }
 
@@ -176,6 +165,6 @@ int main()
   TestQuantities();
   TestClaims();
   TestOneSize();
-  TestDifferences();
+  TestMemory();
   return Right ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Approximations/Approximation.h"
 
-#include "Benchmarks/Approximations/FamilySuite.h"
-
 #include "Benchmarks/Results/ErrorFront.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -126,26 +124,26 @@ BenchClaim CheckDefaults(const std::vector<Family>& families, const std::vector<
   return claim;
 }
 
-BenchSuite MakeFamilySuite(const std::string& name, const std::string& title,
-  const std::string& description, const std::vector<Family>& families)
+BenchPart MakeFamilyPart(const std::vector<Family>& families)
 {
-  BenchSuite suite = { name, title,
-    { description,
-      "default 1 in the counts: what is done where nobody asks for anything, and where the size is "
-      "that of the data its finest; peer 1: by VTK. The other counts are sizes." },
-    {} };
-  for (const Family& family : families)
-  {
-    suite.Parts.push_back({ [family](const BenchOptions& options, BenchRows& rows)
-      { family.AddRows(family.Asked, options, rows); },
-      [family](const std::vector<BenchRow>& rows)
-      { return std::vector<BenchPlot>{ MakePlot(family.Asked, rows) }; },
-      nullptr });
-  }
-  suite.Parts.push_back({ nullptr, nullptr, [families](const std::vector<BenchRow>& rows) {
-                           return std::vector<BenchClaim>{ CheckDefaults(families, rows) };
-                         } });
-  return suite;
+  return { [families](const BenchOptions& options, BenchRows& rows)
+    {
+      for (const Family& family : families)
+      {
+        family.AddRows(family.Asked, options, rows);
+      }
+    },
+    [families](const std::vector<BenchRow>& rows)
+    {
+      std::vector<BenchPlot> plots;
+      for (const Family& family : families)
+      {
+        plots.push_back(MakePlot(family.Asked, rows));
+      }
+      return plots;
+    },
+    [families](const std::vector<BenchRow>& rows)
+    { return std::vector<BenchClaim>{ CheckDefaults(families, rows) }; } };
 }
 
 std::string NumberText(double number)

@@ -3,10 +3,7 @@
 #define Approximation_h
 
 #include "Benchmarks/Measures/BenchTiming.h"
-#include "Benchmarks/Results/BenchClaim.h"
-#include "Benchmarks/Results/BenchPlot.h"
-#include "Benchmarks/Results/BenchRow.h"
-#include "Benchmarks/Suites/BenchOptions.h"
+#include "Benchmarks/Suites/BenchSuite.h"
 
 #include <functional>
 #include <string>
@@ -97,8 +94,12 @@ struct Family
 /// rows have processor seconds, these are its times, and the axis and caption say so.
 BenchPlot MakePlot(const Question& question, const std::vector<BenchRow>& rows);
 
-/// The claim that each default is on its front, by GetCostOverFront.
+/// Returns the claim that each default is on its front, by GetCostOverFront.
 BenchClaim CheckDefaults(const std::vector<Family>& families, const std::vector<BenchRow>& rows);
+
+/// Returns a part whose cases are questions, each with a plot of errors against run times, and
+/// whose target is that each default is on its front.
+BenchPart MakeFamilyPart(const std::vector<Family>& families);
 
 /// A number in a setting: 0.5, 64.
 std::string NumberText(double number);

@@ -11,8 +11,6 @@ namespace approximations
 {
 /// vtkIsotableContour by points of the grid, beside vtkFlyingEdges3D and vtkContour3DLinearGrid.
 Family MakeContourFamily();
-/// vtkTimeVaryingIntervalVolume on hexahedra and on tetrahedra, by points of the grid.
-Family MakeTableRouteFamily();
 
 /// vtkTetrahedralMesher by MaximumVolume and QualityBound, beside vtkDelaunay3D; no rows where it
 /// was not built.
@@ -27,12 +25,6 @@ Family MakeStreamSurfaceFamily();
 
 /// vtkFlowLIC by StepLength.
 Family MakeLicStepFamily();
-/// vtkFlowLIC by Length and Kernel.
-Family MakeLicLengthFamily();
-
-/// vtkConstructiveVolume by NumberOfSubsamples, and by points of the image.
-Family MakeSourceSampleFamily();
-Family MakeSourceVoxelFamily();
 }
 
 #endif

@@ -38,11 +38,8 @@ const char* const TimeLabel = "run time (s)";
 vtkSmartPointer<vtkImageData> SampleFlow(
   int points, const std::function<Vector(const Vector&)>& velocity)
 {
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  const double spacing = 2.0 / (points - 1);
-  image->SetDimensions(points, points, points);
-  image->SetSpacing(spacing, spacing, spacing);
-  image->SetOrigin(-1.0, -1.0, -1.0);
+  auto image =
+    reference::MakeFlowImage({ { points, points, points } }, { { -1, 1, -1, 1, -1, 1 } });
   vtkNew<vtkDoubleArray> vectors;
   vectors->SetName("Velocity");
   vectors->SetNumberOfComponents(3);

@@ -10,9 +10,7 @@
  * The cells of \a image as tetrahedra of positive volume that match at every face, with the point
  * scalars. \a pieces of a cell:
  * - 5, a tetrahedron in the middle and one at every other corner, mirrored from cell to cell;
- * - 6, around the diagonal from the first corner to the last;
- * - 24, four on every face, of two neighbouring corners, the face's centre and the cell's centre,
- *   with the mean of the corners' values at the centres.
+ * - 6, around the diagonal from the first corner to the last.
  * Throws std::invalid_argument for another number.
  */
 vtkSmartPointer<vtkUnstructuredGrid> SplitIntoTetrahedra(vtkImageData* image, int pieces);

@@ -6,7 +6,6 @@
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkRungeKutta4.h"
@@ -28,10 +27,6 @@ ExplicitFlowVolume::ExplicitFlowVolume(
 {
   this->MakePatch();
   this->Trace();
-  for (int i = 0; i < settings.MostHalvings && this->Refine(); ++i)
-  {
-    this->Trace();
-  }
 }
 
 void ExplicitFlowVolume::MakePatch()
@@ -92,89 +87,6 @@ void ExplicitFlowVolume::Trace()
       places.push_back(place);
     }
   }
-}
-
-std::map<ExplicitFlowVolume::Edge, int> ExplicitFlowVolume::GetEdges() const
-{
-  std::map<Edge, int> edges;
-  for (const Triangle& triangle : this->Patch)
-  {
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      ++edges[std::minmax(triangle[i], triangle[(i + 1) % 3])];
-    }
-  }
-  return edges;
-}
-
-bool ExplicitFlowVolume::Refine()
-{
-  if (this->Options.LongestEdge <= 0.0)
-  {
-    return false;
-  }
-  const double longest = this->Options.LongestEdge * this->Options.LongestEdge;
-  std::map<Edge, vtkIdType> middles;
-  for (const auto& edge : this->GetEdges())
-  {
-    const auto& a = this->Streamlines[static_cast<std::size_t>(edge.first.first)];
-    const auto& b = this->Streamlines[static_cast<std::size_t>(edge.first.second)];
-    const bool isLong = !std::equal(a.begin(), a.end(), b.begin(),
-      [longest](const Vector& p, const Vector& q)
-      { return vtkMath::Distance2BetweenPoints(p.data(), q.data()) <= longest; });
-    if (!isLong)
-    {
-      continue;
-    }
-    double y = 0.5 * (a[0][1] + b[0][1]) - this->Inflow.Y;
-    double z = 0.5 * (a[0][2] + b[0][2]) - this->Inflow.Z;
-    const double stretch = edge.second == 1 ? this->Inflow.Radius / std::hypot(y, z) : 1.0;
-    middles[edge.first] = static_cast<vtkIdType>(this->Streamlines.size());
-    this->Streamlines.push_back(
-      { { { this->Inflow.X, this->Inflow.Y + stretch * y, this->Inflow.Z + stretch * z } } });
-  }
-  std::vector<Triangle> parts;
-  for (const Triangle& triangle : this->Patch)
-  {
-    Triangle ofTriangle;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const auto found = middles.find(std::minmax(triangle[i], triangle[(i + 1) % 3]));
-      ofTriangle[i] = found == middles.end() ? -1 : found->second;
-    }
-    ExplicitFlowVolume::Split(triangle, ofTriangle, parts);
-  }
-  this->Patch.swap(parts);
-  return !middles.empty();
-}
-
-void ExplicitFlowVolume::Split(
-  const Triangle& triangle, const Triangle& middles, std::vector<Triangle>& parts)
-{
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    const std::size_t j = (i + 1) % 3;
-    const std::size_t k = (i + 2) % 3;
-    if (middles[i] >= 0)
-    {
-      // Halved from the corner across; what is left is split by the other edges.
-      if (middles[j] >= 0 && middles[k] >= 0)
-      {
-        parts.push_back(middles);
-        for (std::size_t corner = 0; corner < 3; ++corner)
-        {
-          parts.push_back({ { triangle[corner], middles[corner], middles[(corner + 2) % 3] } });
-        }
-        return;
-      }
-      ExplicitFlowVolume::Split(
-        { { middles[i], triangle[j], triangle[k] } }, { { -1, middles[j], -1 } }, parts);
-      ExplicitFlowVolume::Split(
-        { { triangle[i], middles[i], triangle[k] } }, { { -1, -1, middles[k] } }, parts);
-      return;
-    }
-  }
-  parts.push_back(triangle);
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> ExplicitFlowVolume::MakeTetrahedra() const

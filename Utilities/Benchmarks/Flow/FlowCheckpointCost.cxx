@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Flow/FlowParts.h"
+#include "Benchmarks/Suites/BenchParts.h"
 
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Measures/TemporaryFolder.h"

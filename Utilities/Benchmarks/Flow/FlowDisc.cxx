@@ -40,7 +40,6 @@ DiscVolume::DiscVolume(const Disc& disc)
   this->Mapping->SetInputConnection(this->Field->GetOutputPort());
   this->Mapping->SetFormula(vtkInflowMapping::ALL, "sqrt(u^2+v^2)");
   this->Volume->SetInputConnection(this->Mapping->GetOutputPort());
-  this->Volume->SetNumberOfIntervals(1);
   this->Volume->SetInterval(0, -1.0, disc.Radius);
 }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Flow/FlowParts.h"
+#include "Benchmarks/Suites/BenchParts.h"
 
 #include "Benchmarks/Flow/FlowFields.h"
 #include "Benchmarks/Flow/FlowMethods.h"
@@ -166,32 +166,6 @@ void AddPeerRows(const FieldCase& field, const BenchOptions& options,
   }
 }
 
-/// Adds the row to its plot, with the default's ring if the row is that.
-void AddPoint(const BenchRow& row, bool isOwn, bool isTime, std::vector<BenchPlot>& plots)
-{
-  BenchRow shown = row;
-  if (isTime)
-  {
-    shown.Error = row.Counts.value("time_error", 0.0);
-  }
-  BenchPlot& plot = FindOrAdd(plots,
-    BenchPlot::OfErrors("flow-tolerance-" + row.Case + (isTime ? "-time" : ""),
-      (isTime ? "Time at the end, " : "Place (u,v) of the end, ") + row.Case + ", 1 thread",
-      "run time (s)",
-      isTime ? "mean error of the time (unit of time)"
-             : "mean distance from the streamline (unit of length)",
-      std::string("Which integrator, at which tolerance, for the ") + (isTime ? "time" : "place") +
-        " at which a streamline of " + row.Case + " ends?",
-      "vtkImplicitFlowField at tolerances over the largest speed, vtkStreamTracer at steps and "
-      "tolerances; ends against the streamlines themselves."));
-  plot.AddRow(shown, !isOwn, isOwn ? row.Method : std::string(Peer) + " " + row.Method);
-  if (row.Method == Automatic && row.Parameter.get<double>() == ClaimedTolerance &&
-    row.Case.rfind("stiff", 0) != 0)
-  {
-    plot.SetDefault(row.Method, row.GetParameterText());
-  }
-}
-
 /**
  * The cases of FlowFields, by one thread. Methods: each integrator of vtkImplicitFlowField at each
  * tolerance, which is the parameter: MaximumError over the largest speed, but in fields that are
@@ -229,19 +203,27 @@ std::vector<BenchClaim> CheckToleranceClaims(const std::vector<BenchRow>& rows)
 std::vector<BenchPlot> MakeTolerancePlots(const std::vector<BenchRow>& rows)
 {
   std::vector<BenchPlot> plots;
-  const auto isField = [&rows](const std::string& name)
-  {
-    return std::any_of(rows.begin(), rows.end(),
-      [&name](const BenchRow& row) { return row.Case == name && row.Method == Automatic; });
-  };
   for (const BenchRow& row : rows)
   {
     const bool isOwn = std::any_of(Integrators.begin(), Integrators.end(),
       [&row](const std::pair<int, const char*>& one) { return row.Method == one.second; });
-    if (isOwn || (isField(row.Case) && (row.Method == "RK4" || row.Method == "RK45")))
+    if (!isOwn && row.Method != "RK4" && row.Method != "RK45")
     {
-      AddPoint(row, isOwn, false, plots);
-      AddPoint(row, isOwn, true, plots);
+      continue;
+    }
+    BenchPlot& plot = FindOrAdd(plots,
+      BenchPlot::OfErrors("flow-tolerance-" + row.Case,
+        "Place (u,v) of the end, " + row.Case + ", 1 thread", "run time (s)",
+        "mean distance from the streamline (unit of length)",
+        "Which integrator, at which tolerance, for the place at which a streamline of " + row.Case +
+          " ends?",
+        "vtkImplicitFlowField at tolerances over the largest speed, vtkStreamTracer at steps and "
+        "tolerances; ends against the streamlines themselves."));
+    plot.AddRow(row, !isOwn, isOwn ? row.Method : std::string(Peer) + " " + row.Method);
+    if (row.Method == Automatic && row.Parameter.get<double>() == ClaimedTolerance &&
+      row.Case.rfind("stiff", 0) != 0)
+    {
+      plot.SetDefault(row.Method, row.GetParameterText());
     }
   }
   return plots;

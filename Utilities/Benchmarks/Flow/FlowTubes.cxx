@@ -110,20 +110,6 @@ double Tube::GetExcess(const double x[3]) const
   return std::hypot(origin[0] - this->Inflow.Y, origin[1] - this->Inflow.Z) - this->Inflow.Radius;
 }
 
-double Tube::GetExcess(const double x[3], double gradient[3]) const
-{
-  constexpr double step = 1e-5;
-  for (int i = 0; i < 3; ++i)
-  {
-    double place[3] = { x[0], x[1], x[2] };
-    place[i] = x[i] + step;
-    const double above = this->GetExcess(place);
-    place[i] = x[i] - step;
-    gradient[i] = (above - this->GetExcess(place)) / (2.0 * step);
-  }
-  return this->GetExcess(x);
-}
-
 std::vector<Tube> MakeTubes(int points)
 {
   return { MakeContraction(points), MakeRoundSphere("beside", { -2.2, 1.0, 0.0, 0.5 }, 3.5, points),

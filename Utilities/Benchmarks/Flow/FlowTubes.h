@@ -35,8 +35,6 @@ struct Tube
 
   /// How far the streamline through a place begins from the disc, negative inside.
   double GetExcess(const double x[3]) const;
-  /// The same, and its gradient.
-  double GetExcess(const double x[3], double gradient[3]) const;
 };
 
 /**

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Flow/FlowParts.h"
+#include "Benchmarks/Suites/BenchParts.h"
 
 #include "Benchmarks/Measures/BenchTiming.h"
 
@@ -41,7 +41,6 @@ public:
     for (vtkFlowVolume* volume : { this->Whole.Get(), this->Clipped.Get() })
     {
       volume->SetInputConnection(this->Mapping->GetOutputPort());
-      volume->SetNumberOfIntervals(1);
     }
     this->ChangeMapping();
     this->ChangeInterval(this->Whole);

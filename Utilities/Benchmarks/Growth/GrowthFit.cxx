@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Growth/GrowthFit.h"
+#include "Benchmarks/Growth/Growth.h"
 
-#include "Benchmarks/Growth/GrowthMeasure.h"
 #include "Benchmarks/Measures/PowerFit.h"
 
 #include <algorithm>
@@ -20,18 +19,10 @@ struct Measure
   std::optional<double> (*Get)(const BenchRow& row);
 };
 
-/// A time over another, which may be 0.
-double GetDifference(double whole, double without)
-{
-  return std::max(whole - without, LeastShare * whole);
-}
-
 std::optional<double> GetSeconds(const BenchRow& row)
 {
   // The clock of processors has ticks.
-  return std::max(GetDifference(row.Counts["processor_seconds"].get<double>(),
-                    row.Counts.value("without_processor_seconds", 0.0)),
-    1e-6);
+  return std::max(row.Counts["processor_seconds"].get<double>(), 1e-6);
 }
 
 std::optional<double> GetKib(const BenchRow& row)

@@ -17,7 +17,6 @@ vtkSmartPointer<vtkIntervalVolume> NewIntervalVolume(vtkDataSet* data, double lo
 {
   auto filter = vtkSmartPointer<vtkIntervalVolume>::New();
   filter->SetInputData(data);
-  filter->SetNumberOfIntervals(1);
   filter->SetInterval(0, lower, upper);
   return filter;
 }

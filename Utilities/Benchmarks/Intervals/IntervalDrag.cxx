@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Intervals/IntervalParts.h"
+#include "Benchmarks/Suites/BenchParts.h"
 
 #include "Benchmarks/Data/BenchData.h"
 #include "Benchmarks/Intervals/ExtractionMethods.h"
@@ -13,13 +13,10 @@
 #include "vtkImageResample.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace interval
@@ -135,34 +132,6 @@ private:
   int Run = 0;
 };
 
-/// Copies the bytes of an output by all threads.
-class Copy
-{
-public:
-  explicit Copy(std::size_t bytes)
-    : From(bytes, 1)
-    , To(bytes, 2)
-  {
-  }
-
-  void Run()
-  {
-    constexpr std::size_t piece = std::size_t(1) << 20;
-    const std::size_t bytes = this->From.size();
-    vtkSMPTools::For(0, static_cast<vtkIdType>((bytes + piece - 1) / piece),
-      [&](vtkIdType first, vtkIdType last)
-      {
-        const std::size_t begin = static_cast<std::size_t>(first) * piece;
-        const std::size_t end = std::min(static_cast<std::size_t>(last) * piece, bytes);
-        std::memcpy(this->To.data() + begin, this->From.data() + begin, end - begin);
-      });
-  }
-
-private:
-  std::vector<char> From;
-  std::vector<char> To;
-};
-
 void AddDragRow(const DragCase& one, const DragPlace& place, bool isTied, int threads,
   const BenchOptions& options, BenchRows& rows)
 {
@@ -176,45 +145,31 @@ void AddDragRow(const DragCase& one, const DragPlace& place, bool isTied, int th
   Drag kept(one.Image, first, step, upper, true);
   Drag plain(one.Image, first, step, upper, false);
   const std::size_t kib = kept.Filter->GetOutput()->GetActualMemorySize();
-  Copy copy(1024 * kib);
   const std::vector<BenchSeconds> seconds =
     MeasureAlternately({ WithThreads(threads, [&]() { return kept.Move(); }),
-                         WithThreads(threads, [&]() { return plain.Move(); }),
-                         WithThreads(threads,
-                           [&]()
-                           {
-                             copy.Run();
-                             return vtkSmartPointer<vtkObjectBase>();
-                           }) },
+                         WithThreads(threads, [&]() { return plain.Move(); }) },
       options.GetRepeats());
 
   const vtkExtractionReport& report = kept.Filter->GetReport();
   const vtkIdType changed = CountCells(one.Image, first + step, first + 2 * step);
   BenchRow row = rows.Make(
     one.Name + "-" + place.Name, isTied ? "drag-tied" : "drag", ThreadsParameter(threads));
-  row.Seconds = seconds[0];
+  row.SetTimes(seconds[0], "new-memory", seconds[1]);
   row.Set({ { "threads", threads }, { "cells", report.Cells }, { "changed", changed },
     { "share", static_cast<double>(changed) / static_cast<double>(report.Cells) },
     { "with_output", report.CellsWithOutput },
     { "tetrahedra", kept.Filter->GetOutput()->GetNumberOfCells() }, { "output_kib", kib },
     { "reused_kib", report.ReusedBytes / 1024 }, { "idle_kib", report.IdleBytes / 1024 } });
-  const std::pair<const char*, BenchSeconds> peers[] = { { "new-memory", seconds[1] },
-    { "copy", seconds[2] } };
-  for (const auto& peer : peers)
-  {
-    row.Peer = peer.first;
-    row.PeerSeconds = peer.second;
-    rows.Add(row);
-  }
+  rows.Add(row);
 }
 
 /**
  * Methods `drag` and, with bounds that equal values of the data, `drag-tied`: the lower bound of an
  * interval up to the end of the range of values goes on by a two hundredth of the range, low, in
- * the middle and high in it, with KeepMemory, by one thread and by all; against the peers
- * `new-memory`, the same without, and `copy`, which copies as many bytes as the output has between
- * memory that is there. Counts: `changed`, the cells that the bound passes through between two
- * updates, and `share`, their share; the size of the output; what is used again and held.
+ * the middle and high in it, with KeepMemory, by one thread and by all; against the peer
+ * `new-memory`, the same without. Counts: `changed`, the cells that the bound passes through
+ * between two updates, and `share`, their share; the size of the output; what is used again and
+ * held.
  */
 void AddDragRows(const BenchOptions& options, BenchRows& rows)
 {
@@ -238,8 +193,8 @@ BenchPart MakeDragPart()
 {
   const auto dragged = [](const BenchRow& row)
   {
-    const bool counts = row.Method.rfind("drag", 0) == 0 && row.Peer == "copy" &&
-      row.Counts.value("threads", 1) > 1 && row.Counts.value("share", 1.0) < 0.1;
+    const bool counts = row.Method.rfind("drag", 0) == 0 && row.Counts.value("threads", 1) > 1 &&
+      row.Counts.value("share", 1.0) < 0.1;
     return counts ? std::optional<double>(*row.Seconds) : std::nullopt;
   };
   const auto check = [dragged](const std::vector<BenchRow>& rows) -> std::vector<BenchClaim>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Intervals/IntervalParts.h"
+#include "Benchmarks/Suites/BenchParts.h"
 
 #include "Benchmarks/Data/AnalyticCases.h"
 #include "Benchmarks/Data/BenchData.h"
@@ -43,7 +43,7 @@ std::vector<Method> MakeMethods(vtkImageData* image)
   std::vector<Method> methods;
   methods.push_back({ "hexahedra", image });
   methods.push_back({ "hexahedra-unstructured", ToHexahedra(image) });
-  for (int pieces : { 5, 6, 24 })
+  for (int pieces : { 5, 6 })
   {
     Method method;
     method.Name = "tetrahedra-" + std::to_string(pieces);
@@ -202,7 +202,7 @@ BenchPlot MakeErrorPlot(const std::string& theCase, const char* norm, const std:
 }
 
 /**
- * Methods `hexahedra` (image data, as it is), `hexahedra-unstructured`, `tetrahedra-5`, `-6`, `-24`
+ * Methods `hexahedra` (image data, as it is), `hexahedra-unstructured`, `tetrahedra-5`, `-6`
  * (the cells split beforehand; the time to split is `split_seconds`) and `clip2`, on the analytic
  * cases. The parameter is the number of points along an axis. One row for each norm:
  * - `volume, relative`: of the volume of the exact trilinear region;

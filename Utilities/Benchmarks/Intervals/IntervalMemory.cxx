@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Intervals/IntervalParts.h"
+#include "Benchmarks/Suites/BenchParts.h"
 
 #include "Benchmarks/Data/BenchData.h"
 #include "Benchmarks/Intervals/ExtractionMethods.h"
-#include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Measures/ResidentMemory.h"
 
 #include "vtkIntervalVolume.h"
@@ -18,8 +17,6 @@ namespace
 {
 const char* const MemoryTask = "memory";
 const char* const HexahedraTask = "memory-hexahedra";
-const char* const FirstUseTask = "first-use";
-const char* const Cold = "cold";
 
 /// Loads the code and fills the tables for hexahedra in image data and in unstructured grids.
 void UseOnce()
@@ -66,20 +63,6 @@ nlohmann::ordered_json MeasureMemory(
   return json;
 }
 
-/// Seconds of the first extraction in this process, `cold`, and of a second one, `warm`, of random
-/// cells of a VTK type.
-nlohmann::ordered_json MeasureFirstUse(const std::string& cellType, const BenchOptions& options)
-{
-  const BenchData data =
-    MakeRandomCells(std::stoi(cellType), options.Pick(2000, 2000, 50), options.Seed);
-  const BenchWork work = [&data]()
-  { return methods::IntervalVolume(data.Data, data.Lower, data.Upper); };
-  nlohmann::ordered_json json;
-  json["cold"] = TimeOnce(work).Value;
-  json["warm"] = TimeOnce(work).Value;
-  return json;
-}
-
 /// Memory of every case, structured and as unstructured hexahedra.
 void AddMemoryRows(const BenchOptions& options, BenchRows& rows)
 {
@@ -106,54 +89,21 @@ void AddMemoryRows(const BenchOptions& options, BenchRows& rows)
   }
 }
 
-void AddFirstUseRows(const BenchOptions& options, BenchRows& rows)
-{
-  for (int type : { VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON })
-  {
-    std::vector<double> cold;
-    std::vector<double> warm;
-    for (int repeat = 0; repeat < options.GetRepeats(); ++repeat)
-    {
-      const nlohmann::ordered_json seconds =
-        RunChild("interval", std::string(FirstUseTask) + " " + std::to_string(type), options);
-      cold.push_back(seconds.at("cold"));
-      warm.push_back(seconds.at("warm"));
-    }
-    BenchRow row = rows.Make(MakeRandomCells(type, 0, options.Seed).Case, Cold);
-    row.SetTimes(MedianOf(cold), "warm", MedianOf(warm));
-    rows.Add(row);
-  }
-}
-
 std::vector<BenchClaim> CheckMemoryClaims(const std::vector<BenchRow>& rows)
 {
-  const auto ofFirstUse = [](const BenchRow& row)
-  {
-    return row.Method == Cold ? std::optional<double>(*row.Seconds - *row.PeerSeconds)
-                              : std::nullopt;
-  };
-  return { BenchClaim::AtMost(
-             "the first extraction in a process: at most 0.03 s more than the second", 0.03, rows,
-             ofFirstUse),
-    BenchClaim::AtMost("peak memory at most the input and 1.5 times the output", 1.5, rows,
-      CountOf("memory", "peak_share")) };
+  return { BenchClaim::AtMost("peak memory at most the input and 1.5 times the output", 1.5, rows,
+    CountOf("memory", "peak_share")) };
 }
 }
 
 BenchPart MakeMemoryPart()
 {
-  return { [](const BenchOptions& options, BenchRows& rows)
-    {
-      AddMemoryRows(options, rows);
-      AddFirstUseRows(options, rows);
-    },
-    nullptr, CheckMemoryClaims,
+  return { AddMemoryRows, nullptr, CheckMemoryClaims,
     { { MemoryTask,
         [](const std::string& name, const BenchOptions& options)
         { return MeasureMemory(name, false, options); } },
-      { HexahedraTask,
-        [](const std::string& name, const BenchOptions& options)
-        { return MeasureMemory(name, true, options); } },
-      { FirstUseTask, MeasureFirstUse } } };
+      { HexahedraTask, [](const std::string& name, const BenchOptions& options) {
+         return MeasureMemory(name, true, options);
+       } } } };
 }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Intervals/IntervalParts.h"
+#include "Benchmarks/Suites/BenchParts.h"
 
 #include "Benchmarks/Data/BenchData.h"
 #include "Benchmarks/Intervals/ExtractionMethods.h"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Mixed/MixedParts.h"
+#include "Benchmarks/Suites/BenchParts.h"
 
 #include "Benchmarks/Mixed/MixedCases.h"
 #include "Benchmarks/Mixed/MixedDrawing.h"
+#include "Benchmarks/Shadows/ShadowsScene.h"
 
 #include "vtkMapper.h"
 #include "vtkPolyData.h"
@@ -66,8 +67,11 @@ void AddCostRows(const BenchOptions& options, BenchRows& rows)
 {
   const int pixels = options.Pick(512, 256, 32);
   const int triangles = options.Pick(1000000, 250000, 2000);
-  AddRows(MakeBonsaiAmongBalls(pixels, options.Pick(1, 4, 16), triangles), options, rows);
-  AddRows(MakeSmokeAmongBalls(pixels, options.Pick(128, 48, 12), triangles), options, rows);
+  const int step = options.Pick(1, 4, 16);
+  const shadows::Case bonsai = shadows::MakeBonsai(step, step);
+  const shadows::Case smoke = shadows::MakeSmoke(options.Pick(128, 48, 12));
+  AddRows(MakeAmongBalls("bonsai", bonsai.Scene, pixels, triangles), options, rows);
+  AddRows(MakeAmongBalls("smoke", smoke.Scene, pixels, triangles), options, rows);
 }
 
 std::vector<BenchClaim> CheckCostClaims(const std::vector<BenchRow>& rows)

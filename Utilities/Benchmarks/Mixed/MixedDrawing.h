@@ -50,9 +50,6 @@ public:
     this->Stage.SetLights(lights);
   }
 
-  /// Of vtkAreaLight, by Method::ScenePass.
-  void SetNumberOfLightSamples(int samples) { this->ScenePass->SetNumberOfLightSamples(samples); }
-
   /// The picture in floating point, by the camera and lights last set; at first the scene's.
   reference::RgbaPicture Capture();
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Mixed/MixedParts.h"
+#include "Benchmarks/Suites/BenchParts.h"
 
-#include "Benchmarks/Measures/PictureEdges.h"
 #include "Benchmarks/Mixed/MixedCases.h"
 #include "Benchmarks/Mixed/MixedDrawing.h"
 #include "Support/Pictures/ReferenceMixedPicture.h"
@@ -17,31 +16,20 @@ const char* const Moving = "scene-pass, light moves";
 const char* const ShadowMaps = "shadow-maps";
 const char* const OverPeer = "over_peer";
 const char* const ErrorOverPeer = "error_over_peer";
-constexpr int Reach = 10;
 constexpr int DefaultResolution = 1024;
 
-BenchRow MakeMapRow(
-  const BenchRows& rows, const std::string& name, const char* method, int resolution)
-{
-  BenchRow row = rows.Make(name, method, resolution);
-  return row;
-}
-
-void AddErrors(
+void SetError(
   BenchRow& row, const reference::RgbaPicture& picture, const reference::RgbaPicture& expected)
 {
   row.SetError("channel difference, mean", reference::ComparePictures(picture, expected).Mean);
-  const EdgeDistances edges = MeasureEdges(picture, expected, Reach);
-  row.Set({ { "edges", edges.Edges }, { "edge_pixels", edges.Mean },
-    { "edge_pixels_largest", edges.Largest } });
 }
 
 /**
  * Surfaces alone under a spotlight, by vtkShadowedScenePass, whose peer is vtkShadowMapPass with
  * depth maps of the same resolution, the parameter; errors against the ray caster in double
- * precision. `scene-pass` and `shadow-maps`: only the camera moves; edge_pixels is how far shadows'
- * edges are from their places; over_peer, processor_over_peer and error_over_peer are ours over the
- * peer's. `scene-pass, light moves`: maps are drawn for each frame.
+ * precision. `scene-pass` and `shadow-maps`: only the camera moves; over_peer, processor_over_peer
+ * and error_over_peer are ours over the peer's. `scene-pass, light moves`: maps are drawn for each
+ * frame.
  */
 void AddMapRows(const BenchOptions& options, BenchRows& rows)
 {
@@ -63,19 +51,19 @@ void AddMapRows(const BenchOptions& options, BenchRows& rows)
     ours.SetCamera(what.Scene.Camera);
     maps.SetCamera(what.Scene.Camera);
 
-    BenchRow theirs = MakeMapRow(rows, what.Name, ShadowMaps, resolution);
+    BenchRow theirs = rows.Make(what.Name, ShadowMaps, resolution);
     theirs.Seconds = seconds[0][1];
-    AddErrors(theirs, maps.Capture(), expected);
+    SetError(theirs, maps.Capture(), expected);
     for (const bool isMoving : { false, true })
     {
-      BenchRow row = MakeMapRow(rows, what.Name, isMoving ? Moving : ScenePass, resolution);
+      BenchRow row = rows.Make(what.Name, isMoving ? Moving : ScenePass, resolution);
       row.SetTimes(seconds[isMoving][0], ShadowMaps, seconds[isMoving][1]);
       row.Set({ { OverPeer, *row.Seconds / *row.PeerSeconds },
         { "processor_over_peer",
           seconds[isMoving][0].Processor / seconds[isMoving][1].Processor } });
       if (!isMoving)
       {
-        AddErrors(row, ours.Capture(), expected);
+        SetError(row, ours.Capture(), expected);
         row.Counts[ErrorOverPeer] = *row.Error / *theirs.Error;
       }
       rows.Add(row);

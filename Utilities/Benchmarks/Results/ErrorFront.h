@@ -23,8 +23,8 @@ struct ErrorPoint
 };
 
 /**
- * The Pareto front: the points of all series that can be chosen, peers too, than which no other has
- * both a smaller cost and an error that is not larger; by rising cost and falling error.
+ * The Pareto front: the points of all series, peers too, than which no other has both a smaller
+ * cost and an error that is not larger; by rising cost and falling error.
  */
 std::vector<ErrorPoint> FindFront(const BenchPlot& plot);
 

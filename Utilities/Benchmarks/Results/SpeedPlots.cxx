@@ -39,29 +39,3 @@ std::vector<BenchPlot> MakeRatioPlots(
   }
   return plots;
 }
-
-std::vector<BenchPlot> MakeReExtractionPlots(
-  const std::string& suite, const std::vector<BenchRow>& rows)
-{
-  std::vector<BenchPlot> plots;
-  for (const BenchRow& row : rows)
-  {
-    if (row.Method != "re-extract")
-    {
-      continue;
-    }
-    BenchPlot fresh = BenchPlot::OfErrors(suite + "-re-extract-" + row.Case,
-      row.Case + ": a changed interval, with and without the value index, 1 thread",
-      "share of cells with output", "run time (s)");
-    fresh.HasFront = false;
-    fresh.DefaultSeries = row.Method;
-    BenchPlot& plot = FindOrAdd(plots, fresh);
-    const double share = row.Counts.at("share");
-    if (share > 0.0)
-    {
-      plot.AddPoint(row.Method, false, share, *row.Seconds);
-      plot.AddPoint(row.Peer, true, share, *row.PeerSeconds);
-    }
-  }
-  return plots;
-}

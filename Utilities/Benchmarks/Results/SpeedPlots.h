@@ -15,11 +15,4 @@
 std::vector<BenchPlot> MakeRatioPlots(
   const std::string& suite, const std::string& method, const std::vector<BenchRow>& rows);
 
-/**
- * Time against the share of cells with output of the rows of method `re-extract`, which is the
- * default, and of their peer: a plot for each case. Named `<suite>-re-extract-<case>`.
- */
-std::vector<BenchPlot> MakeReExtractionPlots(
-  const std::string& suite, const std::vector<BenchRow>& rows);
-
 #endif

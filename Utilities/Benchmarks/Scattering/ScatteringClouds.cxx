@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Scattering/ScatteringParts.h"
+#include "Benchmarks/Suites/BenchParts.h"
 
 #include "Benchmarks/Scattering/ScatteringModes.h"
 #include "Support/Transport/CloudCase.h"
@@ -17,7 +17,6 @@ const char* const Norm = "difference over the mean, mean over pixels";
 const char* const CloudName = "cloud";
 const char* const Default = "default";
 const char* const Shadowed = "shadowed";
-const char* const EqualError = "equal-error";
 
 /// The mean over pixels of the difference of colours, over the mean colour of the reference.
 double GetRelativeError(const reference::RgbaPicture& found, const reference::RgbaPicture& expected)
@@ -109,8 +108,7 @@ BenchRow MakeRow(const BenchRows& rows, const std::string& method, const std::st
  * `full`; the parameter is `default`, or what is not: `grid 16`, `buffer 128`, `spacing 2`, in
  * default spacings. Counts of the default of full: over_shadowed, its time over that of the same
  * picture without scattered light. `monte-carlo`: the parameter is the number of paths of a pixel,
- * the error that of its noise. `equal-error`: the default of full, and as peer the time that
- * `monte-carlo` takes for the same error.
+ * the error that of its noise.
  */
 void AddCloudRows(const BenchOptions& options, BenchRows& rows)
 {
@@ -160,13 +158,6 @@ void AddCloudRows(const BenchOptions& options, BenchRows& rows)
       row.Counts["over_shadowed"] = seconds[i] / shadowed;
     }
     rows.Add(row);
-    if (setting.Mode == Full && setting.Parameter == Default)
-    {
-      BenchRow equal = MakeRow(rows, EqualError, Default, seconds[i], error);
-      equal.Peer = MonteCarlo;
-      equal.PeerSeconds = { traceSeconds * (noise * noise) / (error * error), traceSeconds.Runs };
-      rows.Add(equal);
-    }
   }
   // The noise falls with the square root of the number of paths.
   for (std::uint64_t paths = traced.PathsPerPixel; paths > 0; paths /= 8)
@@ -223,7 +214,7 @@ std::vector<BenchPlot> MakeCloudPlots(const std::vector<BenchRow>& rows)
     "by Monte Carlo, whose own error is on the plot too.");
   for (const BenchRow& row : rows)
   {
-    if (row.Case == CloudName && row.Method != EqualError)
+    if (row.Case == CloudName)
     {
       plot.AddRow(row, row.Method == MonteCarlo || row.Method == Shadowed);
     }

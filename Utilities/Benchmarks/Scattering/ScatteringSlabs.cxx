@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Scattering/ScatteringParts.h"
+#include "Benchmarks/Suites/BenchParts.h"
 
 #include "Benchmarks/Scattering/SlabDrawing.h"
-#include "Support/Transport/SlabTransport.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -15,10 +12,6 @@ namespace scattering
 {
 namespace
 {
-/// Through the slabs of the limits.
-constexpr int LimitCells = 16;
-/// The share of incident light below which no relative error is asked for.
-constexpr double LeastFlux = 1e-3;
 const char* const Norm = "relative difference of reflection or transmission, the larger one";
 
 /// H. C. van de Hulst, "Multiple Light Scattering", 1980.
@@ -41,36 +34,6 @@ const Published Slabs[] = {
   { "slab I 12 depth 32 albedo 1", { 32.0, 1.0, 0.0, 0.1 }, 0.978453, 0.021548 },
 };
 
-reference::SlabTransportResult Trace(const Slab& slab, std::uint64_t paths, unsigned int seed)
-{
-  reference::SlabTransportSettings settings;
-  settings.Depth = slab.Depth;
-  settings.Albedo = slab.Albedo;
-  settings.Phase = reference::TransportPhase::HenyeyGreenstein(slab.G);
-  settings.Cosine = slab.Cosine;
-  settings.Paths = paths;
-  settings.Seed = seed;
-  return reference::TraceSlab(settings);
-}
-
-void AddMonteCarloRow(const Published& slab, const BenchOptions& options, BenchRows& rows)
-{
-  const auto paths = static_cast<std::uint64_t>(options.Pick(4000000, 100000, 1000));
-  reference::SlabTransportResult result;
-  const BenchSeconds seconds = TimeOnce(WithThreads(options.Threads,
-    [&]()
-    {
-      result = Trace(slab.Matter, paths, options.Seed);
-      return vtkSmartPointer<vtkObjectBase>();
-    }));
-  BenchRow row = rows.Make(slab.Name, MonteCarlo, paths);
-  row.Seconds = seconds;
-  row.SetError(
-    "relative standard error of the reflection", result.Reflected.StandardError / slab.Reflected);
-  row.Set({ { "reflected", result.Reflected.Value }, { "transmitted", result.Transmitted.Value } });
-  rows.Add(row);
-}
-
 void AddModeRow(reference::VolumeStage& stage, const Published& slab, const std::string& mode,
   int across, const BenchOptions& options, BenchRows& rows)
 {
@@ -90,20 +53,12 @@ void AddModeRow(reference::VolumeStage& stage, const Published& slab, const std:
   rows.Add(row);
 }
 
-std::string ToText(double number)
-{
-  std::ostringstream text;
-  text << number;
-  return text.str();
-}
-
 /**
  * Slabs of van de Hulst's tables, drawn from directions on both sides and integrated over them,
  * against the published reflection and transmission. A case is a row of a table; those of light
  * that grazes are in the full suite alone. Methods `single`, `forward`, `full`; the parameter is
  * the number of cells of the grid through the slab. Errors are relative, the larger of both sides;
- * counts reflected, transmitted (scattered light alone) and what is published. `monte-carlo`: the
- * parameter is the number of paths of reference::TraceSlab, the error its standard error.
+ * counts reflected, transmitted (scattered light alone) and what is published.
  */
 void AddSlabRows(const BenchOptions& options, BenchRows& rows)
 {
@@ -129,72 +84,12 @@ void AddSlabRows(const BenchOptions& options, BenchRows& rows)
         last = found;
       }
     }
-    AddMonteCarloRow(slab, options, rows);
-  }
-}
-
-/**
- * Where `full` holds: the same errors of slabs in light at right angles, against
- * reference::TraceSlab. A row for each phase function and albedo, with the differences at each
- * depth as counts, reflected and transmitted, relative, where that is more than a thousandth of the
- * light; the error is the largest. Then how many of
- * these settings are within 5, 10 and 20 %.
- */
-void AddLimitRows(const BenchOptions& options, BenchRows& rows)
-{
-  using Values = std::vector<double>;
-  const std::array<int, 2> pixels = { { 4, 4 } };
-  reference::VolumeStage stage(pixels);
-  const auto paths = static_cast<std::uint64_t>(options.Pick(400000, 100000, 1000));
-  std::vector<double> errors;
-  for (const double g : options.Pick<Values>({ 0.0, 0.5, 0.75, 0.9 }, { 0.0, 0.75 }, { 0.5 }))
-  {
-    for (const double albedo : options.Pick<Values>({ 0.5, 0.9, 0.99, 1.0 }, { 0.9, 1.0 }, { 1.0 }))
-    {
-      BenchRow row = rows.Make("limits", Full, "g " + ToText(g) + ", albedo " + ToText(albedo));
-      row.SetError(Norm, 0.0);
-      for (const double depth :
-        options.Pick<Values>({ 0.25, 1.0, 4.0, 16.0, 64.0 }, { 1.0, 4.0 }, { 1.0 }))
-      {
-        const Slab slab{ depth, albedo, g, 1.0 };
-        SlabDrawing drawing(stage, slab, Full, LimitCells);
-        const reference::SlabTransportResult expected = Trace(slab, paths, options.Seed);
-        double largest = 0.0;
-        const auto compare =
-          [&](bool isReflected, const reference::TransportEstimate& estimate, const char* what)
-        {
-          if (estimate.Value > LeastFlux)
-          {
-            const double error = drawing.GetFlux(isReflected) / estimate.Value - 1.0;
-            row.Counts["depth " + ToText(depth) + what] = error;
-            largest = std::max(largest, std::abs(error));
-          }
-        };
-        compare(true, expected.Reflected, " reflected");
-        compare(false, expected.Transmitted, " transmitted");
-        errors.push_back(largest);
-        row.Error = std::max(*row.Error, errors.back());
-      }
-      rows.Add(row);
-    }
-  }
-  for (const double bound : { 0.05, 0.1, 0.2 })
-  {
-    BenchRow row = rows.Make("limits", Full, "within " + ToText(bound));
-    row.Counts["settings"] = errors.size();
-    row.Counts["within"] =
-      std::count_if(errors.begin(), errors.end(), [bound](double error) { return error <= bound; });
-    rows.Add(row);
   }
 }
 }
 
 BenchPart MakeSlabPart()
 {
-  return { [](const BenchOptions& options, BenchRows& rows)
-    {
-      AddSlabRows(options, rows);
-      AddLimitRows(options, rows);
-    } };
+  return { AddSlabRows };
 }
 }

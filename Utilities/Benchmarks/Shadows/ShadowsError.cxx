@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Shadows/ShadowsParts.h"
+#include "Benchmarks/Suites/BenchParts.h"
 
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Shadows/GpuShadows.h"
@@ -20,14 +20,12 @@ namespace shadows
 namespace
 {
 const char* const MarcherNorm = "channel difference, mean";
-const char* const LimitNorm = "channel difference from its own limit, mean";
 const char* const Spacing = "spacing";
 const char* const Buffer = "buffer";
 const char* const EqualError = "equal-error";
 const char* const Scattering = ", scattering";
 const char* const Shaded = ", shaded";
-/// Slices of the limits over the default distance, and samples in voxels.
-constexpr double FinestSlices = 0.125;
+/// The peer's shortest distance of samples is longer, in voxels.
 constexpr double FinestSamples = 0.25;
 constexpr int Repeats = 3;
 
@@ -78,49 +76,20 @@ std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
   return settings;
 }
 
-/// What pictures are compared with.
-struct Limits
+void AddRow(const Setting& setting, const std::string& name, const reference::RgbaPicture& expected,
+  BenchRows& rows)
 {
-  reference::RgbaPicture Marcher;
-  reference::RgbaPicture Slices;
-  reference::RgbaPicture Rays;
-
-  Limits(reference::VolumeStage& stage, const reference::ShadowScene& scene, double spacing,
-    int bufferSize, bool hasPeer)
-    : Marcher(reference::MakeShadowPicture(scene))
-  {
-    this->Slices = MakeSlices(stage, scene,
-      [=](vtkShadowedSliceMapper* mapper)
-      {
-        mapper->SetSliceSpacing(FinestSlices * spacing);
-        mapper->SetLightBufferSize(bufferSize);
-      })->Capture();
-    if (hasPeer && HasGpuShadows())
-    {
-      this->Rays = MakeShadowRays(stage, scene, FinestSamples)->Capture();
-    }
-  }
-};
-
-void AddRowsOf(
-  const Setting& setting, const std::string& name, const Limits& limits, BenchRows& rows)
-{
-  const reference::RgbaPicture picture = setting.Drawn->Capture();
   BenchRow row = rows.Make(name, setting.Name, setting.Parameter);
   row.Seconds = setting.Seconds;
   if (vtkShadowedSliceMapper* slices = setting.Drawn->GetSlices())
   {
     AddReport(slices->GetReport(), row);
   }
-  const auto add = [&](const char* norm, const reference::RgbaPicture& limit)
-  {
-    const reference::PictureError error = reference::ComparePictures(picture, limit);
-    row.SetError(norm, error.Mean);
-    row.Counts["largest_error"] = error.Max;
-    rows.Add(row);
-  };
-  add(MarcherNorm, limits.Marcher);
-  add(LimitNorm, setting.Name == GpuShadowsPeer ? limits.Rays : limits.Slices);
+  const reference::PictureError error =
+    reference::ComparePictures(setting.Drawn->Capture(), expected);
+  row.SetError(MarcherNorm, error.Mean);
+  row.Counts["largest_error"] = error.Max;
+  rows.Add(row);
 }
 
 void AddSceneRows(reference::VolumeStage& stage, const std::string& name,
@@ -129,10 +98,10 @@ void AddSceneRows(reference::VolumeStage& stage, const std::string& name,
   const double spacing = GetDefaultSpacing(stage, scene);
   std::vector<Setting> settings = MakeSettings(stage, scene, spacing, hasPeer, options);
   MeasureFrames(settings, options.Threads, Repeats);
-  const Limits limits(stage, scene, spacing, options.Pick(512, 128, 64), hasPeer);
+  const reference::RgbaPicture expected = reference::MakeShadowPicture(scene);
   for (const Setting& setting : settings)
   {
-    AddRowsOf(setting, name, limits, rows);
+    AddRow(setting, name, expected, rows);
   }
 }
 
@@ -144,13 +113,13 @@ struct Point
 };
 
 /// The points of a method in a case, by falling error.
-std::vector<Point> GetPoints(const std::vector<BenchRow>& rows, const std::string& name,
-  const std::string& method, const std::string& norm)
+std::vector<Point> GetPoints(
+  const std::vector<BenchRow>& rows, const std::string& name, const std::string& method)
 {
   std::vector<Point> points;
   for (const BenchRow& row : rows)
   {
-    if (row.Case == name && row.Method == method && row.ErrorNorm == norm && *row.Error > 0.0)
+    if (row.Case == name && row.Method == method && *row.Error > 0.0)
     {
       points.push_back({ *row.Seconds, *row.Error });
     }
@@ -181,22 +150,19 @@ BenchSeconds GetSecondsAt(double error, const std::vector<Point>& points)
   return points.back().Seconds;
 }
 
-void AddEqualErrorRow(const std::string& name, const char* norm, BenchRows& rows)
+void AddEqualErrorRow(const std::string& name, BenchRows& rows)
 {
   const std::vector<BenchRow>& all = rows.Get();
   const auto ours = std::find_if(all.begin(), all.end(),
     [&](const BenchRow& row)
-    {
-      return row.Case == name && row.Method == Spacing && row.Parameter == 1.0 &&
-        row.ErrorNorm == norm;
-    });
-  const std::vector<Point> peers = GetPoints(all, name, GpuShadowsPeer, norm);
+    { return row.Case == name && row.Method == Spacing && row.Parameter == 1.0; });
+  const std::vector<Point> peers = GetPoints(all, name, GpuShadowsPeer);
   if (ours == all.end() || peers.empty())
   {
     return;
   }
   BenchRow row = rows.Make(name, EqualError);
-  row.SetError(norm, *ours->Error);
+  row.SetError(MarcherNorm, *ours->Error);
   row.SetTimes(*ours->Seconds, GpuShadowsPeer, GetSecondsAt(*ours->Error, peers));
   row.Counts["at_least"] = peers.back().Error > *ours->Error ? 1 : 0;
   rows.Add(row);
@@ -210,10 +176,6 @@ void AddEqualErrorRow(const std::string& name, const char* norm, BenchRows& rows
  * - `buffer`: the parameter is the size of the light's buffer;
  * - `gpu-shadows`: the parameter is the distance of samples in voxels.
  *
- * One row for each norm: `channel difference, mean`, with the marcher's picture, and
- * `channel difference from its own limit, mean`, with the same mapper's picture with slices at
- * an eighth of the default distance or samples every quarter of a voxel.
- *
  * Rows of method `equal-error`: the time of the default, and as peer_seconds that of gpu-shadows
  * where its line in the log-log plot has the same error; with at_least 1 in the counts where it
  * never has, and the time is that of its smallest error.
@@ -226,10 +188,7 @@ void AddErrorRows(const BenchOptions& options, BenchRows& rows)
   {
     const std::string scattering = what.Name + Scattering;
     AddSceneRows(stage, scattering, MakeScattering(what).Scene, true, options, rows);
-    for (const char* norm : { MarcherNorm, LimitNorm })
-    {
-      AddEqualErrorRow(scattering, norm, rows);
-    }
+    AddEqualErrorRow(scattering, rows);
     AddSceneRows(stage, what.Name + Shaded, what.Scene, false, options, rows);
   }
 }
@@ -246,7 +205,7 @@ std::vector<BenchPlot> MakeErrorPlots(const std::vector<BenchRow>& rows)
   std::vector<BenchPlot> plots;
   for (const BenchRow& row : rows)
   {
-    if (row.ErrorNorm != MarcherNorm || row.Method == EqualError)
+    if (!row.Error || row.Method == EqualError)
     {
       continue;
     }

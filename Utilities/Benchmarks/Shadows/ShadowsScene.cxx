@@ -156,35 +156,6 @@ Case MakeBonsai(int stepXY, int stepZ)
   return made;
 }
 
-Case MakeHead()
-{
-  const vtkSmartPointer<vtkImageData> image =
-    vtkImageData::SafeDownCast(interlume::ReadData("headsq_quarter.vti"));
-  const Double3 bone{ { 0.9, 0.85, 0.75 } };
-  Case made;
-  made.Name = "head-64x64x93";
-  made.Scene = MakeScene(image,
-    MakeProperty(
-      { { 500.0, { { 0.8, 0.6, 0.5 } }, 0.0 }, { 800.0, bone, 0.9 }, { 4000.0, bone, 0.9 } }, 2.5),
-    MakeCamera(image, { { 0.5, 1.0, -0.2 } }, { { 0.0, 0.0, -1.0 } }, 200.0));
-  return made;
-}
-
-Case MakeTooth()
-{
-  const vtkSmartPointer<vtkImageData> image =
-    vtkImageData::SafeDownCast(interlume::ReadData("tooth.vti"));
-  const Double3 enamel{ { 0.95, 0.95, 0.9 } };
-  Case made;
-  made.Name = "tooth-103x94x161";
-  made.Scene = MakeScene(image,
-    MakeProperty(
-      { { 80.0, { { 0.8, 0.7, 0.5 } }, 0.0 }, { 110.0, enamel, 0.9 }, { 255.0, enamel, 0.9 } },
-      1.0),
-    MakeCamera(image, { { 0.5, 1.0, -0.3 } }, { { 0.0, 0.0, 1.0 } }, 150.0));
-  return made;
-}
-
 Case MakeSphere(int points)
 {
   Case made;
@@ -281,25 +252,6 @@ Case MakeScattering(const Case& from)
   return made;
 }
 
-Case MakeStepped(const Case& from)
-{
-  Case made = from;
-  made.Name += ", step";
-  made.Scene.Property = vtkSmartPointer<vtkVolumeProperty>::New();
-  made.Scene.Property->DeepCopy(from.Scene.Property);
-  vtkPiecewiseFunction* ramp = from.Scene.Property->GetScalarOpacity();
-  double first[4];
-  double second[4];
-  ramp->GetNodeValue(0, first);
-  ramp->GetNodeValue(1, second);
-  const double middle = 0.5 * (first[0] + second[0]);
-  vtkNew<vtkPiecewiseFunction> step;
-  step->AddPoint(middle, 0.0);
-  step->AddPoint(middle + 1e-6 * middle, second[1]);
-  made.Scene.Property->SetScalarOpacity(step);
-  return made;
-}
-
 Lights MakeLights(const reference::ShadowScene& scene, int number)
 {
   const double directions[8][3] = { { 0.6, 0.55, -0.6 }, { 0.7, -0.6, -0.4 }, { 0.8, 0.1, -0.6 },
@@ -332,12 +284,5 @@ Lights MakeAreaLights(const reference::ShadowScene& scene, double size)
     center[1] + 1.5 * length * direction[1], center[2] + 1.5 * length * direction[2]);
   light->SetSize(size * length, size * length);
   return { light };
-}
-
-Lights MakeLightsOnBothSides(const reference::ShadowScene& scene)
-{
-  Lights lights = MakeLights(scene, 2);
-  lights[1] = MakeLight(scene, -0.7, -0.5, -0.5, 0.5);
-  return lights;
 }
 }

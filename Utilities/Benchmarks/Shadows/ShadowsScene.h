@@ -30,13 +30,6 @@ std::vector<Case> WithPixels(std::vector<Case> cases, int pixels);
 Case MakeBonsai(int stepXY, int stepZ);
 
 /**
- * CT of a head, headsq_quarter.vti, and of a tooth, tooth.vti, with such ramps: `head-<size>` and
- * `tooth-<size>`. Throw as MakeBonsai.
- */
-Case MakeHead();
-Case MakeTooth();
-
-/**
  * The sphere of equation 2.7 of C. Zhang (dissertation, Ohio State 2006) on points^3 points of a
  * cube: haze, of optical depth 6 through the middle if it were homogeneous. Shade is on.
  * `sphere-<points>`.
@@ -68,12 +61,6 @@ Case MakeBox(int points);
  */
 Case MakeScattering(const Case& from);
 
-/**
- * The same with a step of opacity in the middle of the ramp between the first two points, level
- * from there on. `<name>, step`.
- */
-Case MakeStepped(const Case& from);
-
 using Lights = std::vector<vtkSmartPointer<vtkLight>>;
 
 /// White directional lights on the viewer's side, 1 to 8, together of intensity 1.
@@ -81,8 +68,6 @@ Lights MakeLights(const reference::ShadowScene& scene, int number);
 /// A round vtkAreaLight in the direction of MakeLights(1), one and a half diagonals of the image
 /// from its middle, of so many diagonals; positional.
 Lights MakeAreaLights(const reference::ShadowScene& scene, double size);
-/// One on the viewer's side and one behind the volume.
-Lights MakeLightsOnBothSides(const reference::ShadowScene& scene);
 }
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Shadows/ShadowsParts.h"
+#include "Benchmarks/Suites/BenchParts.h"
 
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Shadows/ShadowsMethods.h"
@@ -19,7 +19,6 @@ namespace
 {
 const char* const On = "shadows";
 const char* const Off = "shadows-off";
-const char* const BothSides = "shadows, both sides";
 const char* const Unlit = "unlit";
 const char* const NoLights = "no-lights";
 const std::vector<int> NumbersOfLights = { 1, 2, 4 };
@@ -76,7 +75,6 @@ Turns MakeTurns(reference::VolumeStage& stage, const reference::ShadowScene& sce
     add(Off, number, MakeSlices(stage, WithLights(scene, lights, false, true)));
     add(On, number, MakeSlices(stage, WithLights(scene, lights, true, true)));
   }
-  add(BothSides, 2, MakeSlices(stage, WithLights(scene, MakeLightsOnBothSides(scene), true, true)));
   add(NoLights, 0, MakeSlices(stage, WithLights(scene, {}, true, false)));
   add(Unlit, 1, MakeSlices(stage, WithLights(scene, scene.Lights, false, false)));
   add(GpuPeer, 1, MakeRays(stage, scene, 1.0));
@@ -129,7 +127,7 @@ void AddRows(
   const RowMaker maker{ what, turns, device, rows };
   for (const Setting& turn : turns)
   {
-    if (turn.Name == On || turn.Name == BothSides)
+    if (turn.Name == On)
     {
       maker.Add(turn, Find(turns, Off, static_cast<int>(turn.Parameter)));
     }
@@ -170,7 +168,6 @@ std::optional<double> OverFurtherLight(const BenchRow& row)
  * One frame of each case. The parameter is the number of lights. Methods:
  * - `shadows` against the peer `shadows-off`, the same lights without shadows; over_off is the time
  *   over that of the peer, over_one_light that over the time with one light;
- * - `shadows, both sides`: of two lights one is behind the volume;
  * - `shadows` of one light against `gpu-shadows`, and `shadows-off` against `gpu`;
  * - `unlit`, a light that neither shades nor casts shadows, against `no-lights`, the same volume in
  *   a scene without lights.

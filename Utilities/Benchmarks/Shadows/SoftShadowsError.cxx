@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Shadows/ShadowsParts.h"
+#include "Benchmarks/Suites/BenchParts.h"
 
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Shadows/ShadowsMethods.h"
@@ -19,11 +19,9 @@ namespace
 const char* const Norm = "channel difference, mean";
 const char* const Layers = "sample-layers";
 const char* const Convolution = "accumulated-convolution";
-const char* const Sampled = "sampled-lights";
 const char* const BufferSuffix = ", buffer";
 const char* const Hard = "hard";
 const char* const Default = "default";
-const char* const Refined = "refined";
 const char* const EqualTime = "equal-time";
 /// The light's size in diagonals of the image.
 constexpr double LightSize = 1.0;
@@ -76,17 +74,6 @@ Change WithSpacing(int method, double spacing)
   };
 }
 
-/// The default's samples and buffer times a factor, and the distance of slices over it.
-Change WithAll(double factor, int bufferSize, double spacing)
-{
-  return [=](vtkShadowedSliceMapper* mapper)
-  {
-    mapper->SetNumberOfLightSamples(static_cast<int>(factor * mapper->GetNumberOfLightSamples()));
-    mapper->SetLightBufferSize(static_cast<int>(factor * bufferSize));
-    mapper->SetSliceSpacing(spacing / factor);
-  };
-}
-
 /// \a plain is the last picture of the default.
 std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
   const reference::ShadowScene& scene, const vtkShadowedSliceReport& plain,
@@ -104,10 +91,6 @@ std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
   {
     add(Layers, samples, WithSamples(Mapper::SAMPLE_LAYERS, samples));
   }
-  for (const int samples : options.Pick<std::vector<int>>({ 4, 16 }, { 4 }, { 4 }))
-  {
-    add(Sampled, samples, WithSamples(Mapper::SAMPLED_LIGHTS, samples));
-  }
   for (const double factor :
     options.Pick<std::vector<double>>({ 0.5, 1.0, 2.0, 4.0 }, { 1.0, 2.0 }, { 1.0, 2.0 }))
   {
@@ -119,10 +102,6 @@ std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
     add(std::string(Layers) + BufferSuffix, size, WithBuffer(Mapper::SAMPLE_LAYERS, size));
     add(std::string(Convolution) + BufferSuffix, size,
       WithBuffer(Mapper::ACCUMULATED_CONVOLUTION, size));
-  }
-  for (const double factor : { 0.5, 1.0, 2.0 })
-  {
-    add(Refined, factor, WithAll(factor, plain.LightBufferSize, spacing));
   }
   add(Default, 1.0, nullptr);
   reference::ShadowScene hard = scene;
@@ -269,7 +248,6 @@ void AddSceneRows(
  *   the light's buffer, with the default number;
  * - `accumulated-convolution`: the parameter is the distance of slices over the default one;
  *   `accumulated-convolution, buffer`: the size of the light's buffer;
- * - `sampled-lights`: the parameter is the number of samples;
  * - `hard`: the light without its extent;
  * - `default`: all settings as they are; the peer is `hard`, and over_hard its processor time over
  *   that.
@@ -310,8 +288,8 @@ std::vector<BenchPlot> MakeSoftShadowPlots(const std::vector<BenchRow>& rows)
         row.Case + ": error against run time, one area light", "time of a frame (s)",
         std::string("error: ") + Norm, "Which method for soft shadows (" + row.Case + ")?",
         "Samples of the emitter, distances of slices over the default one, columns of the light's "
-        "buffer, all of them refined by a factor; against the mean picture of many small lights."));
-    plot.AddRow(row, row.Method == Sampled || row.Method.find(Convolution) == 0);
+        "buffer; against the mean picture of many small lights."));
+    plot.AddRow(row, row.Method.find(Convolution) == 0);
     plot.SetDefault(Default);
   }
   return plots;

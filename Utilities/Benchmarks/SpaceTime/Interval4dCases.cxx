@@ -100,7 +100,6 @@ vtkSmartPointer<vtkTimeVaryingIntervalVolume> Case::NewFilter() const
 {
   auto filter = vtkSmartPointer<vtkTimeVaryingIntervalVolume>::New();
   filter->SetInputConnection(this->Steps->GetOutputPort());
-  filter->SetNumberOfIntervals(1);
   filter->SetInterval(0, this->Lower, this->Upper);
   return filter;
 }

@@ -17,25 +17,15 @@ const std::vector<RenderPath>& AllRenderPaths()
   return paths;
 }
 
+const char* const Unsorted = "composite, unsorted";
+const char* const OpticalDepth = "optical depth";
+
 const std::vector<RenderMode>& AllRenderModes()
 {
   static const std::vector<RenderMode> modes = {
-    { "composite", Mapper::COMPOSITE_BLEND, Mapper::AUTOMATIC_SORT, Mapper::LINEAR_SEGMENT, true },
-    { "composite, unsorted", Mapper::COMPOSITE_BLEND, Mapper::NO_SORT, Mapper::LINEAR_SEGMENT,
-      true },
-    { "composite, centroid sort", Mapper::COMPOSITE_BLEND, Mapper::CENTROID_SORT,
-      Mapper::LINEAR_SEGMENT, false },
-    { "composite, MPVONC sort", Mapper::COMPOSITE_BLEND, Mapper::MPVONC_SORT,
-      Mapper::LINEAR_SEGMENT, false },
-    { "composite, average colour", Mapper::COMPOSITE_BLEND, Mapper::AUTOMATIC_SORT,
-      Mapper::AVERAGE_COLOR, true },
-    { "optical depth", Mapper::OPTICAL_DEPTH_BLEND, Mapper::AUTOMATIC_SORT, Mapper::LINEAR_SEGMENT,
-      true },
-    { "additive", Mapper::ADDITIVE_BLEND, Mapper::AUTOMATIC_SORT, Mapper::LINEAR_SEGMENT, false },
-    { "maximum intensity", Mapper::MAXIMUM_INTENSITY_BLEND, Mapper::AUTOMATIC_SORT,
-      Mapper::LINEAR_SEGMENT, false },
-    { "priority, four layers", Mapper::PRIORITY_BLEND, Mapper::AUTOMATIC_SORT,
-      Mapper::LINEAR_SEGMENT, false },
+    { "composite", Mapper::COMPOSITE_BLEND, Mapper::AUTOMATIC_SORT, Mapper::LINEAR_SEGMENT },
+    { Unsorted, Mapper::COMPOSITE_BLEND, Mapper::NO_SORT, Mapper::LINEAR_SEGMENT },
+    { OpticalDepth, Mapper::OPTICAL_DEPTH_BLEND, Mapper::AUTOMATIC_SORT, Mapper::LINEAR_SEGMENT },
   };
   return modes;
 }
@@ -43,16 +33,6 @@ const std::vector<RenderMode>& AllRenderModes()
 const RenderMode& GetDefaultMode()
 {
   return AllRenderModes()[0];
-}
-
-const RenderMode& GetUnsortedMode()
-{
-  return AllRenderModes()[1];
-}
-
-const RenderMode& GetCentroidMode()
-{
-  return AllRenderModes()[2];
 }
 
 vtkSmartPointer<Mapper> NewMapper(

@@ -34,14 +34,14 @@ struct RenderMode
   int Blend;
   int Sort;
   int Integration;
-  /// Whether the largest cases have it too.
-  bool OfLargest;
 };
+/// Modes without a sort.
+extern const char* const Unsorted;
+extern const char* const OpticalDepth;
+
 const std::vector<RenderMode>& AllRenderModes();
-/// The mode with every default of the mapper, the same without a sort, and with that by centroids.
+/// The mode with every default of the mapper.
 const RenderMode& GetDefaultMode();
-const RenderMode& GetUnsortedMode();
-const RenderMode& GetCentroidMode();
 
 /// A mapper with that path and mode, without level of detail.
 vtkSmartPointer<vtkTimeWeightedTetrahedraMapper> NewMapper(

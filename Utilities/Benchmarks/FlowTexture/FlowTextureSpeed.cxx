@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Results/SpeedPlots.h"
-#include "Benchmarks/Suites/BenchSuites.h"
+#include "Benchmarks/Suites/BenchParts.h"
 #include "Support/Pictures/PictureSettings.h"
 #include "Support/Pictures/VolumeStage.h"
 
@@ -294,21 +294,7 @@ std::vector<BenchPlot> MakePlots(const std::vector<BenchRow>& rows)
 }
 }
 
-BenchSuite MakeFlowTextureSuite()
+BenchPart MakeFlowTexturePart()
 {
-  return { "flow-texture", "vtkImplicitFlowVolumeMapper: time of a frame beside VTK's ray caster",
-    { "Times are those of one frame, off-screen, until OpenGL says it is done; the camera turns by "
-      "half a degree from frame to frame, and all methods take turns, each in a window of its own. "
-      "The parameter is the number of samples along each axis; all have a sample each half voxel. "
-      "The paint is an image of 256 x 256; \"unfiltered\": with PaintFilter off.",
-      "gpu: vtkGPUVolumeRayCastMapper with four independent components of floats (u, v, time and "
-      "whether a surface was reached), as VTK draws four components unless it is told otherwise. "
-      "gpu-rgba: the same four taken as a colour and an opacity, which is one look at the volume "
-      "and one at a table. Both: composite blending, linear interpolation, no shading, no jitter, "
-      "no adjustment of distances, opacity for a unit distance of one voxel. Nothing is opaque "
-      "enough to end a line of sight before the volume does.",
-      "shadows: Shadows on for one directional light, in slices a quarter of a voxel apart, beside "
-      "the same picture by lines of sight without (\"no shadows\"); then a light that moves from "
-      "frame to frame beside one that stays. processor_seconds is the time of all threads." },
-    { { AddAllRows, MakePlots, CheckClaims } } };
+  return { AddAllRows, MakePlots, CheckClaims };
 }

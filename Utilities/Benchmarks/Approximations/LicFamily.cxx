@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Approximations/FilterFamilies.h"
+#include "Support/AnalyticFlows/ReferenceFlowMaps.h"
 #include "Support/AnalyticFlows/ReferenceNoise.h"
 
 #include "vtkFlowLIC.h"
 
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -24,31 +24,20 @@ namespace
 {
 using Vector = std::array<double, 3>;
 
-const char* const TimeLabel = "run time (s)";
 constexpr double Scale = 0.02;
 constexpr int Seed = 7;
+constexpr double Length = 10.0 * Scale;
 /// In noise scales.
-constexpr double DefaultLength = 10.0;
 constexpr double DefaultStep = 0.25;
 
-/// A rotation about the z-axis, which trilinear interpolation has exactly.
+/// Returns a rotation about the z-axis, which trilinear interpolation reproduces exactly.
 vtkSmartPointer<vtkImageData> MakeRotation()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(41, 41, 3);
   image->SetSpacing(0.05, 0.05, 0.05);
   image->SetOrigin(-1.0, -1.0, -0.05);
-  vtkNew<vtkDoubleArray> vectors;
-  vectors->SetName("Velocity");
-  vectors->SetNumberOfComponents(3);
-  vectors->SetNumberOfTuples(image->GetNumberOfPoints());
-  for (vtkIdType id = 0; id < image->GetNumberOfPoints(); ++id)
-  {
-    double x[3];
-    image->GetPoint(id, x);
-    vectors->SetTuple3(id, -x[1], x[0], 0.0);
-  }
-  image->GetPointData()->SetVectors(vectors);
+  reference::SetVelocity(image, [](const Vector& x) { return Vector{ { -x[1], x[0], 0.0 } }; });
   return image;
 }
 
@@ -74,9 +63,9 @@ std::vector<Vector> MakePlaces(int number)
   return places;
 }
 
-/// LIC at places alone.
+/// Returns a filter that computes LIC only at the given positions.
 vtkSmartPointer<vtkFlowLIC> NewFilter(
-  vtkImageData* field, const std::vector<Vector>& places, int kernel, double length, double step)
+  vtkImageData* field, const std::vector<Vector>& places, int kernel, double step)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -91,34 +80,23 @@ vtkSmartPointer<vtkFlowLIC> NewFilter(
   filter->SetFieldData(field);
   filter->SetKernel(kernel);
   filter->SetNoiseScale(Scale);
-  filter->SetLength(length * Scale);
+  filter->SetLength(Length);
   filter->SetStepLength(step * Scale);
   filter->SetSeed(Seed);
   return filter;
-}
-
-vtkDataArray* ValuesOf(vtkFlowLIC* filter)
-{
-  return vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetPointData()->GetArray("LIC");
-}
-
-const char* NameOf(int kernel)
-{
-  return kernel == vtkFlowLIC::HANN ? "Hann" : "box";
 }
 
 /// The mean of the noise over the circle through \a x, by a fine rule on the circle itself.
 double IntegrateNoise(const Vector& x, int kernel)
 {
   constexpr int parts = 800;
-  const double length = DefaultLength * Scale;
   double sum = 0.0;
   double weights = 0.0;
   for (int i = 0; i < parts; ++i)
   {
-    const double arc = length * (2.0 * (i + 0.5) / parts - 1.0);
+    const double arc = Length * (2.0 * (i + 0.5) / parts - 1.0);
     const double weight =
-      kernel == vtkFlowLIC::HANN ? 0.5 * (1.0 + std::cos(vtkMath::Pi() * arc / length)) : 1.0;
+      kernel == vtkFlowLIC::HANN ? 0.5 * (1.0 + std::cos(vtkMath::Pi() * arc / Length)) : 1.0;
     sum += weight * reference::GetNoise(Along(x, arc), Scale, Seed);
     weights += weight;
   }
@@ -129,7 +107,8 @@ double IntegrateNoise(const Vector& x, int kernel)
 /// standard deviations; values held to 0 and 1 do not count.
 double MeasureMeans(vtkFlowLIC* filter, const std::vector<double>& means)
 {
-  vtkDataArray* values = ValuesOf(filter);
+  vtkDataArray* values =
+    vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetPointData()->GetArray("LIC");
   double products = 0.0;
   double squares = 0.0;
   std::vector<std::array<double, 2>> pairs;
@@ -167,48 +146,10 @@ void AddStepRows(const Question& question, const BenchOptions& options, BenchRow
     for (const double step : options.Pick<std::vector<double>>(
            { 2.0, 1.0, 0.5, 0.25, 0.125, 0.0625 }, { 2.0, 1.0, 0.5, 0.25, 0.125 }, { 0.5, 0.25 }))
     {
-      auto filter = NewFilter(field, places, kernel, DefaultLength, step);
-      trials.Add(NameOf(kernel), NumberText(step),
+      auto filter = NewFilter(field, places, kernel, step);
+      trials.Add(kernel == vtkFlowLIC::HANN ? "Hann" : "box", NumberText(step),
         kernel == vtkFlowLIC::HANN && step == DefaultStep ? Maker::Default : Maker::Own,
         WithThreads(1, Again(filter)), [filter, means]() { return MeasureMeans(filter, *means); });
-    }
-  }
-  trials.Run(question, options, rows);
-}
-
-/// The root mean square difference of every place from the one after it, in standard deviations.
-double MeasurePairs(vtkFlowLIC* filter)
-{
-  vtkDataArray* values = ValuesOf(filter);
-  double sum = 0.0;
-  for (vtkIdType id = 0; id + 1 < values->GetNumberOfTuples(); id += 2)
-  {
-    sum += std::pow(values->GetTuple1(id) - values->GetTuple1(id + 1), 2);
-  }
-  return std::sqrt(2.0 * sum / static_cast<double>(values->GetNumberOfTuples())) /
-    filter->GetContrast();
-}
-
-void AddLengthRows(const Question& question, const BenchOptions& options, BenchRows& rows)
-{
-  std::vector<Vector> pairs;
-  for (const Vector& x : MakePlaces(options.Pick(20000, 4000, 200)))
-  {
-    pairs.push_back(x);
-    pairs.push_back(Along(x, Scale));
-  }
-  auto field = MakeRotation();
-  Trials trials;
-  trials.SetSize("points", static_cast<double>(pairs.size()));
-  for (const int kernel : { vtkFlowLIC::HANN, vtkFlowLIC::BOX })
-  {
-    for (const double length : options.Pick<std::vector<double>>(
-           { 1.0, 2.0, 5.0, 10.0, 20.0, 40.0 }, { 2.0, 5.0, 10.0, 20.0 }, { 5.0, 10.0 }))
-    {
-      auto filter = NewFilter(field, pairs, kernel, length, DefaultStep);
-      trials.Add(NameOf(kernel), NumberText(length),
-        kernel == vtkFlowLIC::HANN && length == DefaultLength ? Maker::Default : Maker::Own,
-        WithThreads(1, Again(filter)), [filter]() { return MeasurePairs(filter); });
     }
   }
   trials.Run(question, options, rows);
@@ -221,17 +162,7 @@ Family MakeLicStepFamily()
              "How long a step along streamlines for line integral convolution?",
              "A rotation, steps in noise scales at each point, both kernels; against the integral "
              "over the circles in double precision.",
-             TimeLabel, "difference, rms, in standard deviations" },
+             "run time (s)", "difference, rms, in standard deviations" },
     AddStepRows };
-}
-
-Family MakeLicLengthFamily()
-{
-  return { { "lic-length", "Length and kernel of line integral convolution, 1 thread",
-             "How far along streamlines, and with which kernel, for line integral convolution?",
-             "A rotation, lengths in noise scales at each point; values are to be alike along a "
-             "streamline: the difference between places on a circle that are a noise scale apart.",
-             TimeLabel, "difference along a streamline, rms, in standard deviations" },
-    AddLengthRows };
 }
 }

@@ -3,13 +3,15 @@
 #include "Benchmarks/Intervals/ExtractionMethods.h"
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Results/SpeedPlots.h"
-#include "Benchmarks/Suites/BenchSuites.h"
+#include "Benchmarks/Suites/BenchParts.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
+namespace interval
+{
 namespace
 {
 const char* const OnImage = "isotable-image";
@@ -134,16 +136,8 @@ std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows)
 }
 }
 
-BenchSuite MakeContourSuite()
+BenchPart MakeContourPart()
 {
-  return { "contour", "vtkIsotableContour: run time",
-    { "isotable-hexahedra: vtkIsotableContour on the unstructured hexahedra of each case, against "
-      "contour3dlinear and contour3dlinear-merge, vtkContour3DLinearGrid with MergePoints off and "
-      "on; neither normals nor attributes. vtkIsotableContour merges points and carries the "
-      "scalar.",
-      "isotable-hexahedra-unmerged: the same with MergePoints off, against contour3dlinear.",
-      "isotable-image: vtkIsotableContour on image data, against flyingedges, vtkFlyingEdges3D "
-      "without normals and gradients.",
-      "The contour value is the lower bound of the case's interval." },
-    { { AddContourRows, MakePlots, CheckClaims } } };
+  return { AddContourRows, MakePlots, CheckClaims };
+}
 }

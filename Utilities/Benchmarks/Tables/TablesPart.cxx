@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Benchmarks/Suites/BenchSuites.h"
+#include "Benchmarks/Suites/BenchParts.h"
 #include "Benchmarks/Tables/HypercubeTable.h"
 
 #include "vtkIsotableCache.h"
@@ -191,14 +191,7 @@ std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows)
 }
 }
 
-BenchSuite MakeTablesSuite()
+BenchPart MakeTablesPart()
 {
-  return { "tables", "entries, mean and maximum of simplices of every interval table",
-    { "The number of simplices of a case, over all cases of the table of a cell. Method "
-      "source-order places the points in the order of the source's edge lists, which reproduces "
-      "its Table 3.2; method shipped is what the filters use on structured grids: pulling, grid "
-      "points first, then lower, then upper crossings.",
-      "For the four-dimensional cube every one of the 3^16 cases counts, by symmetry: one hull for "
-      "each of the 132,102 kinds of case, one triangulation for each image of each facet." },
-    { { AddRows, nullptr, CheckClaims } } };
+  return { AddRows, nullptr, CheckClaims };
 }
