@@ -267,7 +267,7 @@ BenchSuite MakeFlowTextureSuite()
 BenchSuite MakeFilterErrorsSuite()
 {
   using namespace approximations;
-  return { "filter-errors", "Filters: error against run time for each setting that approximates",
+  return { "filter-errors", "Filters that approximate: error against run time by their settings",
     { "A case is one question: the same done by every setting and, where there is one, by a filter "
       "of VTK; all methods take turns. Errors are those of the result against a formula in double "
       "precision.",
