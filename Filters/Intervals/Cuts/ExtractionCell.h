@@ -25,7 +25,7 @@ public:
   using Slot = vtkIsotable::Slot;
 
   /// Returns the slot that \a slot is the same point as; \a table is a vtkIsotable or a
-  /// vtkIsotableCache.
+  /// SpaceTimeTable.
   template <typename Table>
   static Slot Identify(
     const Table& table, const ExtractionValues::Item& item, const Code* codes, Slot slot)

@@ -49,7 +49,7 @@ struct TableCell
  * @class   SlotTables
  * @brief   the tables of all shapes of cells, and which points the slots of a cell are
  *
- * \a Table is vtkIsotable or vtkIsotableCache.
+ * \a Table is vtkIsotable or SpaceTimeTable.
  */
 template <typename Table>
 class SlotTables

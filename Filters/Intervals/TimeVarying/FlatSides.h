@@ -4,7 +4,7 @@
 
 #include "TimeVarying/TimeVaryingSlots.h"
 
-#include "vtkIsotableCache.h"
+#include "SpaceTime/SpaceTimeTable.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -30,7 +30,7 @@ public:
 
   /// Returns what \a slots finds for each simplex of a case's own cut.
   const std::vector<std::uint8_t>& Find(
-    const vtkIsotableCache::Case& what, const TimeVaryingSlots& slots, unsigned planar)
+    const SpaceTimeTable::Case& what, const TimeVaryingSlots& slots, unsigned planar)
   {
     const std::uint64_t hash = reinterpret_cast<std::uintptr_t>(&what) + planar;
     Entry& entry = this->Entries[(hash * 0x9e3779b97f4a7c15) >> (64 - EntryBits)];
@@ -39,7 +39,7 @@ public:
       entry.Case = &what;
       entry.Planar = planar;
       entry.Flats.clear();
-      for (const vtkIsotableCache::Simplex& simplex : what.Simplices)
+      for (const SpaceTimeTable::Simplex& simplex : what.Simplices)
       {
         entry.Flats.push_back(slots.FindFlat(simplex, planar));
       }
@@ -58,7 +58,7 @@ private:
 
   struct Entry
   {
-    const vtkIsotableCache::Case* Case = nullptr;
+    const SpaceTimeTable::Case* Case = nullptr;
     unsigned Planar = 0;
     std::vector<std::uint8_t> Flats;
   };

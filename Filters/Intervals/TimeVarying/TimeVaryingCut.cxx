@@ -15,21 +15,21 @@ namespace
 {
 using Kinds = vtkTimeVaryingSettings::BoundaryKinds;
 using Sides = TimeVaryingSlots::Sides;
-using Slot = vtkIsotableCache::Slot;
-using SideArray = std::array<std::uint8_t, vtkIsotableCache::MaximumNumberOfSlots>;
+using Slot = SpaceTimeTable::Slot;
+using SideArray = std::array<std::uint8_t, SpaceTimeTable::MaximumNumberOfSlots>;
 
 // A bit beside those of Sides: the corner is equal to the value of a flat interval.
 constexpr unsigned Equal = 16;
 
-int GetNumberOfSlots(const vtkIsotableCache& table)
+int GetNumberOfSlots(const SpaceTimeTable& table)
 {
   return table.GetNumberOfVertices() + 2 * table.GetNumberOfEdges();
 }
 }
 
-void TimeVaryingCut::Make(const vtkIsotableCache& table, const TimeVaryingSlots& slots,
-  const Item& item, const Code* codes, const vtkIsotableCache::Case& what,
-  const vtkIsotableCache::Case& inside, const vtkIsotableCache::RankArray& ranks, const Slot* same,
+void TimeVaryingCut::Make(const SpaceTimeTable& table, const TimeVaryingSlots& slots,
+  const Item& item, const Code* codes, const SpaceTimeTable::Case& what,
+  const SpaceTimeTable::Case& inside, const SpaceTimeTable::RankArray& ranks, const Slot* same,
   bool hasSides)
 {
   this->Simplices.clear();
@@ -73,8 +73,8 @@ void TimeVaryingCut::Add(int kind, int number, const Slot* points, bool isTurned
   this->Sides.push_back(side);
 }
 
-void TimeVaryingCut::AddSides(const vtkIsotableCache& table, const TimeVaryingSlots& slots,
-  const vtkIsotableCache::Case& what, const vtkIsotableCache::RankArray& ranks, const Slot* same)
+void TimeVaryingCut::AddSides(const SpaceTimeTable& table, const TimeVaryingSlots& slots,
+  const SpaceTimeTable::Case& what, const SpaceTimeTable::RankArray& ranks, const Slot* same)
 {
   SideArray sides{};
   for (int slot = 0; slot < GetNumberOfSlots(table); ++slot)
@@ -109,9 +109,9 @@ void TimeVaryingCut::AddSides(const vtkIsotableCache& table, const TimeVaryingSl
     });
 }
 
-void TimeVaryingCut::AddFlatSides(const vtkIsotableCache& table, const TimeVaryingSlots& slots,
-  const Item& item, const Code* codes, const vtkIsotableCache::Case& inside,
-  const vtkIsotableCache::RankArray& ranks, const Slot* same)
+void TimeVaryingCut::AddFlatSides(const SpaceTimeTable& table, const TimeVaryingSlots& slots,
+  const Item& item, const Code* codes, const SpaceTimeTable::Case& inside,
+  const SpaceTimeTable::RankArray& ranks, const Slot* same)
 {
   const int vertices = table.GetNumberOfVertices();
   const Code tie = item.First;

@@ -5,7 +5,7 @@
 #include "Scalars/ExtractionValues.h"
 #include "TimeVarying/TimeVaryingSlots.h"
 
-#include "vtkIsotableCache.h"
+#include "SpaceTime/SpaceTimeTable.h"
 
 #include <array>
 #include <vector>
@@ -26,8 +26,8 @@ class TimeVaryingCut
 public:
   using Code = ExtractionValues::Code;
   using Item = ExtractionValues::Item;
-  using Slot = vtkIsotableCache::Slot;
-  using Simplex = vtkIsotableCache::Simplex;
+  using Slot = SpaceTimeTable::Slot;
+  using Simplex = SpaceTimeTable::Simplex;
 
   /// A cell of a boundary; see vtkTimeVaryingSettings::BoundaryKinds.
   struct Side
@@ -39,19 +39,19 @@ public:
 
   /// Cuts the case in the order of \a ranks; \a same has for each slot the one that it goes by. \a
   /// inside is the case where all corners are in the interval.
-  void Make(const vtkIsotableCache& table, const TimeVaryingSlots& slots, const Item& item,
-    const Code* codes, const vtkIsotableCache::Case& what, const vtkIsotableCache::Case& inside,
-    const vtkIsotableCache::RankArray& ranks, const Slot* same, bool hasSides);
+  void Make(const SpaceTimeTable& table, const TimeVaryingSlots& slots, const Item& item,
+    const Code* codes, const SpaceTimeTable::Case& what, const SpaceTimeTable::Case& inside,
+    const SpaceTimeTable::RankArray& ranks, const Slot* same, bool hasSides);
 
   const std::vector<Simplex>& GetSimplices() const { return this->Simplices; }
   const std::vector<Side>& GetSides() const { return this->Sides; }
 
 private:
-  void AddSides(const vtkIsotableCache& table, const TimeVaryingSlots& slots,
-    const vtkIsotableCache::Case& what, const vtkIsotableCache::RankArray& ranks, const Slot* same);
-  void AddFlatSides(const vtkIsotableCache& table, const TimeVaryingSlots& slots, const Item& item,
-    const Code* codes, const vtkIsotableCache::Case& inside,
-    const vtkIsotableCache::RankArray& ranks, const Slot* same);
+  void AddSides(const SpaceTimeTable& table, const TimeVaryingSlots& slots,
+    const SpaceTimeTable::Case& what, const SpaceTimeTable::RankArray& ranks, const Slot* same);
+  void AddFlatSides(const SpaceTimeTable& table, const TimeVaryingSlots& slots, const Item& item,
+    const Code* codes, const SpaceTimeTable::Case& inside, const SpaceTimeTable::RankArray& ranks,
+    const Slot* same);
   void Add(int kind, int number, const Slot* points, bool isTurned);
 
   std::vector<Simplex> Simplices;

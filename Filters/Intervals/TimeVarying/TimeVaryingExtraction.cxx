@@ -12,7 +12,7 @@
 #include "TimeVarying/TimeVaryingSlots.h"
 #include "Unstructured/CrossingLists.h"
 
-#include "vtkIsotableCache.h"
+#include "SpaceTime/SpaceTimeTable.h"
 #include "vtkPointData.h"
 #include "vtkTimeVaryingReport.h"
 #include "vtkUnstructuredGrid.h"
@@ -30,23 +30,23 @@ namespace interlume
 namespace
 {
 using Cell = TimeVaryingCell;
-using Case = vtkIsotableCache::Case;
+using Case = SpaceTimeTable::Case;
 using Item = ExtractionValues::Item;
-using Slot = vtkIsotableCache::Slot;
-using Simplex = vtkIsotableCache::Simplex;
-using Tables = SlotTables<vtkIsotableCache>;
+using Slot = SpaceTimeTable::Slot;
+using Simplex = SpaceTimeTable::Simplex;
+using Tables = SlotTables<SpaceTimeTable>;
 
 // Chunks are small, since cells that matter lie in clusters, and threads are to
 // share them.
 constexpr vtkIdType ChunkSize = 512;
-constexpr int MaximumNumberOfVertices = vtkIsotableCache::MaximumNumberOfVertices;
-constexpr int MaximumNumberOfSlots = vtkIsotableCache::MaximumNumberOfSlots;
+constexpr int MaximumNumberOfVertices = SpaceTimeTable::MaximumNumberOfVertices;
+constexpr int MaximumNumberOfSlots = SpaceTimeTable::MaximumNumberOfSlots;
 
 // A case met in a chunk of cells.
 struct Found
 {
   vtkIdType Cell;
-  const vtkIsotableCache::Case* Case;
+  const SpaceTimeTable::Case* Case;
   int Item;
   // Whether the table's own cut serves: corners in ascending order, no two
   // slots one point.
@@ -87,7 +87,7 @@ struct OwnCut
 // The access of one thread to the tables, and its buffers.
 struct Local
 {
-  std::array<std::optional<vtkIsotableCache::Reader>, vtkIsotable::NUMBER_OF_SHAPES> Readers;
+  std::array<std::optional<SpaceTimeTable::Reader>, vtkIsotable::NUMBER_OF_SHAPES> Readers;
   std::optional<FlatSides> Flats;
   std::vector<vtkIdType> Near;
   OwnCut Own;
@@ -97,7 +97,7 @@ struct Local
     auto& reader = this->Readers[shape];
     if (!reader)
     {
-      reader.emplace(vtkIsotableCache::Get(shape));
+      reader.emplace(SpaceTimeTable::Get(shape));
     }
     return reader->GetCase(key);
   }
@@ -119,8 +119,8 @@ public:
   SlabCutter(const CornerOrder& order, const TimeVaryingMesh& mesh)
     : Order(order)
     , Mesh(mesh)
-    , TheTables([](vtkIsotable::Shapes shape) -> const vtkIsotableCache&
-        { return vtkIsotableCache::Get(shape); })
+    , TheTables([](vtkIsotable::Shapes shape) -> const SpaceTimeTable&
+        { return SpaceTimeTable::Get(shape); })
   {
     for (int shape = 0; shape < vtkIsotable::NUMBER_OF_SHAPES; ++shape)
     {
@@ -165,7 +165,7 @@ public:
     {
       return true;
     }
-    const vtkIsotableCache& table = this->TheTables[cell.Shape];
+    const SpaceTimeTable& table = this->TheTables[cell.Shape];
     // The corners at the first step come before those at the second.
     const int corners = std::min(cell.NumberOfCorners, MaximumNumberOfVertices / 2);
     Slot vertexRanks[MaximumNumberOfVertices];
@@ -174,7 +174,7 @@ public:
     {
       vertexRanks[v + corners] = static_cast<Slot>(vertexRanks[v] + corners);
     }
-    const vtkIsotableCache::RankArray ranks = table.GetSlotRanks(vertexRanks);
+    const SpaceTimeTable::RankArray ranks = table.GetSlotRanks(vertexRanks);
     if (cut.IsMerged)
     {
       const Case& inside =

@@ -45,7 +45,7 @@ std::array<unsigned, 6> GetFaces(vtkIsotable::Shapes shape)
 TimeVaryingSlots::TimeVaryingSlots(vtkIsotable::Shapes shape)
   : Faces(GetFaces(shape))
 {
-  const vtkIsotableCache& table = vtkIsotableCache::Get(shape);
+  const SpaceTimeTable& table = SpaceTimeTable::Get(shape);
   const int n = table.GetNumberOfVertices();
   const int m = table.GetNumberOfEdges();
   const int corners = n / 2;

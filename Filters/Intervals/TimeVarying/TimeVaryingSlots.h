@@ -2,7 +2,7 @@
 #ifndef interlume_TimeVaryingSlots_h
 #define interlume_TimeVaryingSlots_h
 
-#include "vtkIsotableCache.h"
+#include "SpaceTime/SpaceTimeTable.h"
 
 #include <array>
 #include <cstdint>
@@ -20,8 +20,8 @@ namespace interlume
 class TimeVaryingSlots
 {
 public:
-  using Slot = vtkIsotableCache::Slot;
-  using Simplex = vtkIsotableCache::Simplex;
+  using Slot = SpaceTimeTable::Slot;
+  using Simplex = SpaceTimeTable::Simplex;
 
   /// The sides that a slot is on, as bits.
   enum Sides : std::uint8_t
@@ -72,11 +72,11 @@ public:
   static constexpr int MaximumNumberOfFaces = 6;
 
 private:
-  std::array<std::uint8_t, vtkIsotableCache::MaximumNumberOfSlots> SidesOf{};
+  std::array<std::uint8_t, SpaceTimeTable::MaximumNumberOfSlots> SidesOf{};
   // The corners of the cell that a slot lies above or between, as bits.
-  std::array<std::uint8_t, vtkIsotableCache::MaximumNumberOfSlots> Supports{};
+  std::array<std::uint8_t, SpaceTimeTable::MaximumNumberOfSlots> Supports{};
   // The faces of the cell that a slot lies above, as bits.
-  std::array<std::uint8_t, vtkIsotableCache::MaximumNumberOfSlots> FacesOf{};
+  std::array<std::uint8_t, SpaceTimeTable::MaximumNumberOfSlots> FacesOf{};
   std::array<unsigned, MaximumNumberOfFaces> Faces{};
 };
 
