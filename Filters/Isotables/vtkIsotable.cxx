@@ -1,60 +1,173 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsotable.h"
 
-#include "Combinatorics/MovedPieces.h"
-
-#include "vtkIsotableOrder.h"
-#include "vtkIsotablePatch.h"
-#include "vtkIsotableSymmetries.h"
+#include "Cases/CasePatch.h"
+#include "Cases/CellSymmetries.h"
+#include "Cases/MovedPieces.h"
+#include "Cases/SlotOrder.h"
+#include "Hulls/Polytope.h"
 
 #include <algorithm>
-#include <cmath>
+#include <mutex>
+#include <numeric>
+
+using namespace interlume;
 
 namespace
 {
-int Power(int base, int exponent)
+using Slot = vtkIsotable::Slot;
+
+constexpr int MaximumNumberOfVertices = vtkIsotable::MaximumNumberOfVertices;
+
+std::array<Slot, MaximumNumberOfVertices> GetAscendingRanks()
 {
-  int result = 1;
-  for (int i = 0; i < exponent; ++i)
+  std::array<Slot, MaximumNumberOfVertices> ranks;
+  std::iota(ranks.begin(), ranks.end(), Slot(0));
+  return ranks;
+}
+
+// Returns the cell, or one without vertices if it has too many of them or too many slots.
+Polytope MakeCell(vtkIsotable::Kinds kind, const std::vector<std::array<int, 3>>& vertices)
+{
+  std::vector<Polytope::Point> points;
+  for (const std::array<int, 3>& vertex : vertices)
   {
-    result *= base;
+    points.push_back({ { vertex[0], vertex[1], vertex[2] } });
   }
-  return result;
+  const Polytope cell = Polytope::FromVertices(3, points);
+  const std::size_t slots =
+    points.size() + (kind == vtkIsotable::INTERVAL ? 2 : 1) * cell.Edges.size();
+  return points.size() <= MaximumNumberOfVertices && slots <= vtkIsotable::MaximumNumberOfSlots
+    ? cell
+    : Polytope{};
+}
+
+int CountCases(vtkIsotable::Kinds kind, std::size_t numberOfVertices)
+{
+  int number = numberOfVertices > 0 ? 1 : 0;
+  for (std::size_t i = 0; i < numberOfVertices; ++i)
+  {
+    number *= kind == vtkIsotable::INTERVAL ? 3 : 2;
+  }
+  return number;
 }
 }
 
-vtkIsotable::vtkIsotable(Kinds kind, const vtkIsotablePolytope& cell)
-  : Kind(kind)
-  , Cell(cell)
-  , Lifted(kind == INTERVAL ? cell.Prism() : cell)
-  , NumberOfVertices(static_cast<int>(cell.Vertices.size()))
-  , NumberOfEdges(static_cast<int>(cell.Edges.size()))
-  , Cases(Power(kind == INTERVAL ? 3 : 2, static_cast<int>(cell.Vertices.size())))
+class vtkIsotable::Maker
 {
-  for (const auto& edge : cell.Edges)
+public:
+  Maker(Kinds kind, const Polytope& cell)
+    : Kind(kind)
+    , Cell(cell)
+    , Lifted(kind == INTERVAL ? cell.Prism() : cell)
   {
-    this->Edges.push_back({ { static_cast<Slot>(std::min(edge[0], edge[1])),
-      static_cast<Slot>(std::max(edge[0], edge[1])) } });
   }
-  Slot ascending[MaximumNumberOfVertices];
-  for (int i = 0; i < this->NumberOfVertices; ++i)
+
+  // Makes the slots and pieces. In the table of an interval, one of the cases that symmetries of
+  // the cell take into each other is made from its hull, and the others by moving that one.
+  void Make(const vtkIsotable& table, int key, Case& made)
   {
-    ascending[i] = static_cast<Slot>(i);
-  }
-  const RankArray ranks = this->GetSlotRanks(ascending);
-  // The edges of the lifted cell are those at the lower side, at the upper side, then the vertical
-  // ones.
-  for (int side = 0; side < (kind == INTERVAL ? 2 : 1); ++side)
-  {
-    for (int e = 0; e < this->NumberOfEdges; ++e)
+    if (this->Kind == CONTOUR)
     {
-      this->PointRanks.push_back(ranks[this->NumberOfVertices + side * this->NumberOfEdges + e]);
+      this->MakeFromHull(key, made);
+      return;
+    }
+    std::call_once(
+      this->HasSymmetries, [this] { this->Symmetries.reset(new CellSymmetries(this->Cell)); });
+    const auto origin = this->Symmetries->FindOrigin(static_cast<std::uint32_t>(key));
+    const int first = static_cast<int>(origin.Key);
+    if (first == key)
+    {
+      this->MakeFromHull(key, made);
+      return;
+    }
+    const Case& from = table.GetCase(first);
+    const auto& symmetry = this->Symmetries->Get()[origin.Symmetry];
+    made.Pieces = MovedPieces::Move(
+      from.Pieces, symmetry, table.GetNumberOfVertices(), table.GetNumberOfEdges());
+    for (const Slot slot : from.Slots)
+    {
+      made.Slots.push_back(symmetry.Slots[slot]);
+    }
+    std::sort(made.Slots.begin(), made.Slots.end());
+  }
+
+private:
+  void MakeFromHull(int key, Case& made) const
+  {
+    const CasePatch patch(this->Lifted,
+      CasePatch::GetSigns(static_cast<int>(this->Cell.Vertices.size()), this->Kind == INTERVAL,
+        static_cast<std::uint32_t>(key)));
+    for (const CasePatch::Facet& facet : patch.GetFacets())
+    {
+      for (int edge : facet.Points)
+      {
+        made.Slots.push_back(this->GetSlot(edge));
+      }
+      if (this->Kind == CONTOUR)
+      {
+        this->Append(patch.GetPolygon(facet), made);
+      }
+      else
+      {
+        this->Append(facet.Points, made);
+        this->AppendFaces(patch.GetFaces(facet), made);
+      }
+    }
+    std::sort(made.Slots.begin(), made.Slots.end());
+    made.Slots.erase(std::unique(made.Slots.begin(), made.Slots.end()), made.Slots.end());
+  }
+
+  void AppendFaces(const std::vector<CasePatch::PointList>& faces, Case& made) const
+  {
+    const int m = static_cast<int>(this->Cell.Edges.size());
+    made.Pieces.push_back(static_cast<Slot>(faces.size()));
+    for (const CasePatch::PointList& face : faces)
+    {
+      const auto all = [&face](int from, int to)
+      {
+        return std::all_of(
+          face.begin(), face.end(), [=](int edge) { return edge >= from && edge < to; });
+      };
+      made.Pieces.push_back(all(0, m) ? Slot(0) : all(m, 2 * m) ? Slot(1) : NoSide);
+      this->Append(face, made);
     }
   }
-  for (int i = 0; kind == INTERVAL && i < this->NumberOfVertices; ++i)
+
+  void Append(const CasePatch::PointList& points, Case& made) const
   {
-    this->PointRanks.push_back(ranks[i]);
+    made.Pieces.push_back(static_cast<Slot>(points.size()));
+    for (int edge : points)
+    {
+      made.Pieces.push_back(this->GetSlot(edge));
+    }
   }
+
+  Slot GetSlot(int edge) const
+  {
+    return static_cast<Slot>(SlotOrder::GetSlot(static_cast<int>(this->Cell.Vertices.size()),
+      static_cast<int>(this->Cell.Edges.size()), edge));
+  }
+
+  Kinds Kind;
+  Polytope Cell;
+  Polytope Lifted;
+  std::once_flag HasSymmetries;
+  std::unique_ptr<const CellSymmetries> Symmetries;
+};
+
+vtkIsotable::vtkIsotable(Kinds kind, const std::vector<std::array<int, 3>>& vertices)
+  : vtkIsotable(kind, MakeCell(kind, vertices))
+{
+}
+
+vtkIsotable::vtkIsotable(Kinds kind, const Polytope& cell)
+  : Kind(kind)
+  , NumberOfVertices(static_cast<int>(cell.Vertices.size()))
+  , Edges(cell.GetSortedEdges())
+  , Pieces(new Maker(kind, cell))
+  , Cases(CountCases(kind, cell.Vertices.size()))
+{
 }
 
 vtkIsotable::~vtkIsotable()
@@ -68,10 +181,10 @@ vtkIsotable::~vtkIsotable()
 const vtkIsotable& vtkIsotable::Get(Kinds kind, Shapes shape)
 {
   static const vtkIsotable tables[2][NUMBER_OF_SHAPES] = {
-    { { CONTOUR, vtkIsotablePolytope::Simplex(3) }, { CONTOUR, vtkIsotablePolytope::Pyramid() },
-      { CONTOUR, vtkIsotablePolytope::Wedge() }, { CONTOUR, vtkIsotablePolytope::Cube(3) } },
-    { { INTERVAL, vtkIsotablePolytope::Simplex(3) }, { INTERVAL, vtkIsotablePolytope::Pyramid() },
-      { INTERVAL, vtkIsotablePolytope::Wedge() }, { INTERVAL, vtkIsotablePolytope::Cube(3) } }
+    { { CONTOUR, Polytope::OfShape(0) }, { CONTOUR, Polytope::OfShape(1) },
+      { CONTOUR, Polytope::OfShape(2) }, { CONTOUR, Polytope::OfShape(3) } },
+    { { INTERVAL, Polytope::OfShape(0) }, { INTERVAL, Polytope::OfShape(1) },
+      { INTERVAL, Polytope::OfShape(2) }, { INTERVAL, Polytope::OfShape(3) } }
   };
   return tables[kind][shape];
 }
@@ -85,111 +198,20 @@ int vtkIsotable::GetNumberOfCasesMade() const
 vtkIsotable::RankArray vtkIsotable::GetSlotRanks(const Slot* vertexRanks) const
 {
   RankArray ranks{};
-  vtkIsotableOrder::RankSlots(
+  SlotOrder::RankSlots(
     this->NumberOfVertices, this->Edges, this->Kind == INTERVAL, vertexRanks, ranks.data());
   return ranks;
-}
-
-void vtkIsotable::AppendPieces(int key, Case& made) const
-{
-  const int n = this->NumberOfVertices;
-  const int m = this->NumberOfEdges;
-  std::vector<bool> positive(this->Lifted.Vertices.size());
-  for (int i = 0; i < n; ++i)
-  {
-    if (this->Kind == CONTOUR)
-    {
-      positive[i] = key % 2 == 1;
-      key /= 2;
-    }
-    else
-    {
-      positive[i] = key % 3 >= 1;
-      positive[i + n] = key % 3 == 2;
-      key /= 3;
-    }
-  }
-  const vtkIsotablePatch patch(this->Lifted, positive);
-  const auto toSlot = [n, m](int edge)
-  { return static_cast<Slot>(vtkIsotableOrder::GetSlot(n, m, edge)); };
-  const auto append = [&](const vtkIsotablePatch::PointList& points)
-  {
-    made.Pieces.push_back(static_cast<Slot>(points.size()));
-    for (int edge : points)
-    {
-      made.Pieces.push_back(toSlot(edge));
-    }
-  };
-  for (const vtkIsotablePatch::Facet& facet : patch.GetFacets())
-  {
-    for (int edge : facet.Points)
-    {
-      made.Slots.push_back(toSlot(edge));
-    }
-    if (this->Kind == CONTOUR)
-    {
-      append(patch.GetPolygon(facet));
-      continue;
-    }
-    append(facet.Points);
-    const std::vector<vtkIsotablePatch::PointList> faces = patch.GetFaces(facet);
-    made.Pieces.push_back(static_cast<Slot>(faces.size()));
-    for (const vtkIsotablePatch::PointList& face : faces)
-    {
-      const auto all = [&face](int from, int to)
-      {
-        return std::all_of(
-          face.begin(), face.end(), [=](int edge) { return edge >= from && edge < to; });
-      };
-      made.Pieces.push_back(all(0, m) ? Slot(0) : all(m, 2 * m) ? Slot(1) : NoSide);
-      append(face);
-    }
-  }
-  std::sort(made.Slots.begin(), made.Slots.end());
-  made.Slots.erase(std::unique(made.Slots.begin(), made.Slots.end()), made.Slots.end());
-}
-
-void vtkIsotable::MakePieces(int key, Case& made) const
-{
-  if (this->Kind == CONTOUR)
-  {
-    this->AppendPieces(key, made);
-    return;
-  }
-  std::call_once(
-    this->HasSymmetries, [this] { this->Symmetries.reset(new vtkIsotableSymmetries(this->Cell)); });
-  const auto origin = this->Symmetries->FindOrigin(static_cast<std::uint32_t>(key));
-  const int first = static_cast<int>(origin.Key);
-  if (first == key)
-  {
-    this->AppendPieces(key, made);
-    return;
-  }
-  const Case& from = this->GetCase(first);
-  const auto& symmetry = this->Symmetries->Get()[origin.Symmetry];
-  made.Pieces = interlume::MovedPieces::Move(
-    from.Pieces, symmetry, this->NumberOfVertices, this->NumberOfEdges);
-  for (const Slot slot : from.Slots)
-  {
-    made.Slots.push_back(symmetry.Slots[slot]);
-  }
-  std::sort(made.Slots.begin(), made.Slots.end());
 }
 
 const vtkIsotable::Case& vtkIsotable::MakeCase(int key) const
 {
   std::unique_ptr<Case> made(new Case);
-  this->MakePieces(key, *made);
-  Slot ascending[MaximumNumberOfVertices];
-  for (int i = 0; i < MaximumNumberOfVertices; ++i)
-  {
-    ascending[i] = static_cast<Slot>(i);
-  }
+  this->Pieces->Make(*this, key, *made);
   this->Cut(
-    *made, this->GetSlotRanks(ascending),
+    *made, this->GetSlotRanks(GetAscendingRanks().data()),
     [&made](const Simplex& simplex) { made->Simplices.push_back(simplex); },
     [&made](const Triangle& triangle) { made->Boundary.push_back(triangle); });
-  // Where two threads make the same case, the first one's stays.
+  // If two threads make the same case, the first one's is used.
   const Case* expected = nullptr;
   if (this->Cases[key].compare_exchange_strong(expected, made.get(), std::memory_order_acq_rel))
   {

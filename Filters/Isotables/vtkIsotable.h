@@ -3,25 +3,29 @@
 #define vtkIsotable_h
 
 #include "InterlumeIsotablesModule.h" // for the export macro
-#include "vtkIsotablePolytope.h"      // for the cell
 
 #include <array>   // for the simplices
 #include <atomic>  // for the cases
 #include <cstdint> // for the slots
-#include <memory>  // for the symmetries
-#include <mutex>   // for making them once
+#include <memory>  // for the maker
 #include <vector>  // for the lists
 
-class vtkIsotableSymmetries;
+namespace interlume
+{
+class Polytope;
+}
 
 /**
  * @class   vtkIsotable
  * @brief   the case table of a three-dimensional cell, for isosurfaces or interval volumes
  *
+ * Get() returns the table of a VTK cell; the constructor makes the table of any other convex cell.
+ *
  * A case is keyed by one digit for each vertex, vertex 0 the least: in base 2 for a contour
- * (0: f < v, 1: f >= v), in base 3 for an interval (0: below, 1: inside, 2: above). Cases are made
- * at their first use, once, whichever thread asks first; in an interval's table, one of those that
- * symmetries of the cell take into each other from its hull, the others by moving that one.
+ * (0: f < v, 1: f >= v), in base 3 for an interval (0: below, 1: inside, 2: above). A case is made
+ * from convex hulls in integer arithmetic (P. Bhaniramka, R. Wenger, R. Crawfis, "Isosurface
+ * construction in any dimension using convex hulls", IEEE TVCG 10(2), 2004), at its first use, by
+ * the thread that requests it first. A reference to a case remains valid as long as the table.
  *
  * A point of a case is a slot: with n vertices and m edges, slot i < n is vertex i of the cell;
  * slot n + e is the isovalue (the lower one of an interval) on edge e; slot n + m + e is the upper
@@ -33,11 +37,14 @@ class vtkIsotableSymmetries;
  * global point ids, any two cells cut the face they share alike. Simplices holds the cut for
  * ascending ranks, as structured grids have it; Cut() does any other.
  *
+ * Each simplex is four slots, or three in a contour. To interpolate the point of slot n + e, use
+ * the ends GetEdge(e).
+ *
  * Vertex order: VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, and VTK_VOXEL for the hexahedron. Tetrahedra
  * have positive volume in a right-handed cell; triangles of a contour have their normal towards
  * lower values; boundary triangles of an interval have it outward.
  *
- * @sa vtkIsotablePatch vtkIsotableTriangulation
+ * @sa vtkIsotableContour vtkIntervalVolume
  */
 class INTERLUMEISOTABLES_EXPORT vtkIsotable
 {
@@ -81,19 +88,24 @@ public:
   /// Returns the table shared by all users in the process.
   static const vtkIsotable& Get(Kinds kind, Shapes shape);
 
-  vtkIsotable(Kinds kind, const vtkIsotablePolytope& cell);
+  /**
+   * Makes the table of the convex hull of \a vertices. Its edges are in lexicographic order of
+   * their vertices. The table is empty, with 0 cases, if a point is not a vertex of the hull, a
+   * coordinate is odd or outside -128 ... 128, or there are more than 8 vertices or 32 slots.
+   */
+  vtkIsotable(Kinds kind, const std::vector<std::array<int, 3>>& vertices);
+
+  /// Makes the table of a cell. For internal use.
+  vtkIsotable(Kinds kind, const interlume::Polytope& cell);
   ~vtkIsotable();
   vtkIsotable(const vtkIsotable&) = delete;
   void operator=(const vtkIsotable&) = delete;
 
   Kinds GetKind() const { return this->Kind; }
   int GetNumberOfVertices() const { return this->NumberOfVertices; }
-  int GetNumberOfEdges() const { return this->NumberOfEdges; }
+  int GetNumberOfEdges() const { return static_cast<int>(this->Edges.size()); }
   int GetNumberOfCases() const { return static_cast<int>(this->Cases.size()); }
   const std::array<Slot, 2>& GetEdge(int edge) const { return this->Edges[edge]; }
-  const vtkIsotablePolytope& GetCell() const { return this->Cell; }
-  /// Returns the order of the lifted (or plain) cell's edges that ascending vertex ranks give.
-  const std::vector<int>& GetPointRanks() const { return this->PointRanks; }
 
   /// Returns the case of \a key, 0 <= key < GetNumberOfCases().
   const Case& GetCase(int key) const
@@ -262,21 +274,15 @@ private:
     return at;
   }
 
+  // Makes the pieces of cases from hulls.
+  class Maker;
+
   const Case& MakeCase(int key) const;
-  void MakePieces(int key, Case& made) const;
-  void AppendPieces(int key, Case& made) const;
 
   Kinds Kind;
-  vtkIsotablePolytope Cell;
-  vtkIsotablePolytope Lifted;
   int NumberOfVertices;
-  int NumberOfEdges;
   std::vector<std::array<Slot, 2>> Edges;
-  std::vector<int> PointRanks;
-  // The symmetries of the cell of an interval's table: one case of a kind is made from its hull,
-  // the others from that case.
-  mutable std::once_flag HasSymmetries;
-  mutable std::unique_ptr<const vtkIsotableSymmetries> Symmetries;
+  std::unique_ptr<Maker> Pieces;
   mutable std::vector<std::atomic<const Case*>> Cases;
 };
 

@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 cmake_minimum_required(VERSION 3.16)
-# No library shows more than public classes: each defined symbol is of a class with a public header.
-# LIBRARIES are the files, with | between them.
+# No library shows more than public classes and those shared within the project: each defined symbol is of a
+# class with a public header, or one of SHARED_CLASSES in namespace interlume. LIBRARIES are the files. Both
+# lists have | between the items.
 string(REPLACE "|" ";" LIBRARIES "${LIBRARIES}")
+string(REPLACE "|" ";" SHARED_CLASSES "${SHARED_CLASSES}")
 file(GLOB headers "${SOURCE_DIR}/Filters/*/vtk*.h" "${SOURCE_DIR}/Rendering/*/vtk*.h")
 set(classes)
+foreach (class IN LISTS SHARED_CLASSES)
+  list(APPEND classes "interlume::${class}")
+endforeach ()
 foreach (header IN LISTS headers)
   get_filename_component(class "${header}" NAME_WE)
   list(APPEND classes "${class}")
@@ -22,7 +27,7 @@ foreach (library IN LISTS LIBRARIES)
   endif ()
   foreach (symbol IN LISTS symbols)
     string(REGEX REPLACE
-      "^((typeinfo|typeinfo name|vtable|VTT|guard variable) for |(non-)?virtual thunk to )?(vtk[A-Za-z0-9]+).*"
+      "^((typeinfo|typeinfo name|vtable|VTT|guard variable) for |(non-)?virtual thunk to )?(vtk[A-Za-z0-9]+|interlume::[A-Za-z0-9]+).*"
       "\\4" class "${symbol}")
     if (NOT class IN_LIST classes)
       message(FATAL_ERROR "${library} shows what is no public class: ${symbol}")

@@ -3,11 +3,11 @@
 // and in any other; counts over whole tables; and what the cache counts.
 
 #include "Support/Checks/ReferenceCheck.h"
-#include "Support/Intervals/ReferenceIsotable.h"
+#include "Isotables/ReferenceIsotable.h"
 
 #include "vtkIsotable.h"
-#include "vtkIsotableCache.h"
-#include "vtkIsotablePolytope.h"
+#include "SpaceTime/SpaceTimeTable.h"
+#include "Hulls/Polytope.h"
 
 #include <algorithm>
 #include <array>
@@ -18,12 +18,14 @@
 #include <string>
 #include <vector>
 
+using namespace interlume;
+
 namespace
 {
 
 using Cuts = std::multiset<reference::OrientedSimplex>;
-using Slot = vtkIsotableCache::Slot;
-using VertexRanks = std::array<Slot, vtkIsotableCache::MaximumNumberOfVertices>;
+using Slot = SpaceTimeTable::Slot;
+using VertexRanks = std::array<Slot, SpaceTimeTable::MaximumNumberOfVertices>;
 
 const char* const Names[] = { "tetrahedron x time", "pyramid x time", "wedge x time",
   "hexahedron x time" };
@@ -35,7 +37,7 @@ VertexRanks GetAscending()
   return ranks;
 }
 
-std::uint32_t GetNumberOfCases(const vtkIsotableCache& cache)
+std::uint32_t GetNumberOfCases(const SpaceTimeTable& cache)
 {
   std::uint32_t number = 1;
   for (int v = 0; v < cache.GetNumberOfVertices(); ++v)
@@ -46,17 +48,17 @@ std::uint32_t GetNumberOfCases(const vtkIsotableCache& cache)
 }
 
 Cuts Cut(
-  const vtkIsotableCache& cache, const vtkIsotableCache::Case& what, const VertexRanks& vertexRanks)
+  const SpaceTimeTable& cache, const SpaceTimeTable::Case& what, const VertexRanks& vertexRanks)
 {
   Cuts cuts;
   cache.Cut(what, cache.GetSlotRanks(vertexRanks.data()),
-    [&cuts](const vtkIsotableCache::Simplex& simplex) {
+    [&cuts](const SpaceTimeTable::Simplex& simplex) {
       cuts.insert(reference::Orient({ simplex.begin(), simplex.end() }));
     });
   return cuts;
 }
 
-Cuts PullExactly(const vtkIsotableCache& cache, std::uint32_t key, const VertexRanks& vertexRanks)
+Cuts PullExactly(const SpaceTimeTable& cache, std::uint32_t key, const VertexRanks& vertexRanks)
 {
   const auto ranks = cache.GetSlotRanks(vertexRanks.data());
   return reference::PullExactly(cache.GetCell(), true, key, { ranks.begin(), ranks.end() });
@@ -76,17 +78,17 @@ std::uint32_t MakeKey(int numberOfVertices, int round, std::mt19937& random)
   return key;
 }
 
-void TestCuts(vtkIsotableCache& cache, reference::Check& check)
+void TestCuts(SpaceTimeTable& cache, reference::Check& check)
 {
   std::mt19937 random(3);
   const int n = cache.GetNumberOfVertices();
   for (int round = 0; round < 240; ++round)
   {
     const std::uint32_t key = MakeKey(n, round, random);
-    const vtkIsotableCache::Case& what = cache.GetCase(key);
+    const SpaceTimeTable::Case& what = cache.GetCase(key);
     Cuts ascending;
     std::set<Slot> used;
-    for (const vtkIsotableCache::Simplex& simplex : what.Simplices)
+    for (const SpaceTimeTable::Simplex& simplex : what.Simplices)
     {
       ascending.insert(reference::Orient({ simplex.begin(), simplex.end() }));
       used.insert(simplex.begin(), simplex.end());
@@ -100,7 +102,7 @@ void TestCuts(vtkIsotableCache& cache, reference::Check& check)
   }
 }
 
-void TestSlotRanks(const vtkIsotableCache& cache, reference::Check& check)
+void TestSlotRanks(const SpaceTimeTable& cache, reference::Check& check)
 {
   std::mt19937 random(17);
   const int n = cache.GetNumberOfVertices();
@@ -128,7 +130,7 @@ void TestSlotRanks(const vtkIsotableCache& cache, reference::Check& check)
 // Against sums over the exact triangulations of all cases.
 void TestTetrahedron(reference::Check& check)
 {
-  vtkIsotableCache& cache = vtkIsotableCache::Get(vtkIsotable::TETRAHEDRON);
+  SpaceTimeTable& cache = SpaceTimeTable::Get(vtkIsotable::TETRAHEDRON);
   std::size_t sum = 0;
   std::size_t most = 0;
   for (std::uint32_t key = 0; key < GetNumberOfCases(cache); ++key)
@@ -143,7 +145,7 @@ void TestTetrahedron(reference::Check& check)
 
 void TestConstantHypercube(reference::Check& check)
 {
-  vtkIsotableCache& cache = vtkIsotableCache::Get(vtkIsotable::HEXAHEDRON);
+  SpaceTimeTable& cache = SpaceTimeTable::Get(vtkIsotable::HEXAHEDRON);
   const std::uint32_t last = GetNumberOfCases(cache) - 1;
   check.Equal(cache.GetCase(last / 2).Simplices.size(), 24, "a cell of constant value");
   check.Equal(cache.GetCase(0).Simplices.size(), 0, "all vertices below");
@@ -153,8 +155,8 @@ void TestConstantHypercube(reference::Check& check)
 // A cell whose graph has symmetries that the cell has not.
 void TestFrustum(reference::Check& check)
 {
-  using Point = vtkIsotablePolytope::Point;
-  vtkIsotableCache cache(vtkIsotablePolytope::FromVertices(3,
+  using Point = Polytope::Point;
+  SpaceTimeTable cache(Polytope::FromVertices(3,
     { Point{ { 0, 0, 0 } }, Point{ { 12, 0, 0 } }, Point{ { 0, 12, 0 } }, Point{ { 12, 12, 0 } },
       Point{ { 4, 4, 4 } }, Point{ { 8, 4, 4 } }, Point{ { 4, 8, 4 } },
       Point{
@@ -164,7 +166,7 @@ void TestFrustum(reference::Check& check)
 
 void TestStatistics(reference::Check& check)
 {
-  vtkIsotableCache cache(vtkIsotablePolytope::Simplex(3).Prism());
+  SpaceTimeTable cache(Polytope::Simplex(3).Prism());
   // All but one vertex below: 8 cases, which symmetries take into each other.
   std::vector<std::uint32_t> keys{ 1 };
   while (keys.size() < 8)
@@ -181,7 +183,7 @@ void TestStatistics(reference::Check& check)
   check.Equal(cache.GetNumberOfHits(), 0, "hits");
   const std::uint64_t bytes = cache.GetBytes();
   {
-    vtkIsotableCache::Reader reader(cache);
+    SpaceTimeTable::Reader reader(cache);
     for (int round = 0; round < 3; ++round)
     {
       check.That(&reader.GetCase(1) == &cache.GetCase(1), "a reader finds the same case");
@@ -206,7 +208,7 @@ int TestIsotableCache(int, char*[])
   for (int shape = 0; shape < vtkIsotable::NUMBER_OF_SHAPES; ++shape)
   {
     check.SetContext(Names[shape]);
-    vtkIsotableCache& cache = vtkIsotableCache::Get(static_cast<vtkIsotable::Shapes>(shape));
+    SpaceTimeTable& cache = SpaceTimeTable::Get(static_cast<vtkIsotable::Shapes>(shape));
     TestCuts(cache, check);
     TestSlotRanks(cache, check);
   }

@@ -5,7 +5,7 @@
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkIsotable.h"
-#include "vtkIsotableCache.h"
+#include "SpaceTime/SpaceTimeTable.h"
 
 #include <algorithm>
 #include <array>
@@ -17,10 +17,12 @@
 #include <string>
 #include <vector>
 
+using namespace interlume;
+
 namespace
 {
 
-using Slot = vtkIsotableCache::Slot;
+using Slot = SpaceTimeTable::Slot;
 using Shapes = vtkIsotable::Shapes;
 
 // A face of a cell: for each vertex of the face that of the cell.
@@ -57,8 +59,8 @@ using FacePoint = std::array<int, 3>;
 using Tetrahedra = std::set<std::vector<FacePoint>>;
 
 // The tetrahedra on the face belong to one simplex each.
-Tetrahedra FindTetrahedra(const vtkIsotableCache& cache, const vtkIsotableCache::Case& what,
-  const vtkIsotableCache::RankArray& ranks, const Face& face)
+Tetrahedra FindTetrahedra(const SpaceTimeTable& cache, const SpaceTimeTable::Case& what,
+  const SpaceTimeTable::RankArray& ranks, const Face& face)
 {
   const int n = cache.GetNumberOfVertices();
   const int m = cache.GetNumberOfEdges();
@@ -70,7 +72,7 @@ Tetrahedra FindTetrahedra(const vtkIsotableCache& cache, const vtkIsotableCache:
   const int outside = static_cast<int>(face.Vertices.size());
   std::map<std::vector<FacePoint>, int> count;
   cache.Cut(what, ranks,
-    [&](const vtkIsotableCache::Simplex& simplex)
+    [&](const SpaceTimeTable::Simplex& simplex)
     {
       std::vector<FacePoint> points;
       for (const Slot slot : simplex)
@@ -136,7 +138,7 @@ private:
   // The rest of the cell is random, its ranks between and around those of the face.
   Tetrahedra Cut(const Face& face)
   {
-    vtkIsotableCache& cache = vtkIsotableCache::Get(face.Shape);
+    SpaceTimeTable& cache = SpaceTimeTable::Get(face.Shape);
     const int n = cache.GetNumberOfVertices();
     std::vector<double> places(n);
     std::vector<std::uint32_t> digits(n);

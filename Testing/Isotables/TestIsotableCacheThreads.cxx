@@ -4,8 +4,8 @@
 
 #include "Support/Checks/ReferenceCheck.h"
 
-#include "vtkIsotableCache.h"
-#include "vtkIsotablePolytope.h"
+#include "SpaceTime/SpaceTimeTable.h"
+#include "Hulls/Polytope.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -15,10 +15,12 @@
 #include <thread>
 #include <vector>
 
+using namespace interlume;
+
 namespace
 {
 
-using CaseList = std::vector<const vtkIsotableCache::Case*>;
+using CaseList = std::vector<const SpaceTimeTable::Case*>;
 
 // Some keys come often, and each has others of its kind.
 std::vector<std::uint32_t> MakeKeys()
@@ -42,7 +44,7 @@ std::vector<std::uint32_t> MakeKeys()
 
 // Each thread asks for all keys, beginning at another one.
 std::vector<CaseList> Ask(
-  vtkIsotableCache& cache, const std::vector<std::uint32_t>& keys, int numberOfThreads)
+  SpaceTimeTable& cache, const std::vector<std::uint32_t>& keys, int numberOfThreads)
 {
   std::vector<CaseList> found(numberOfThreads, CaseList(keys.size()));
   std::vector<std::thread> threads;
@@ -52,7 +54,7 @@ std::vector<CaseList> Ask(
     threads.emplace_back(
       [&, t]
       {
-        vtkIsotableCache::Reader reader(cache);
+        SpaceTimeTable::Reader reader(cache);
         const std::size_t first = t * keys.size() / numberOfThreads;
         for (std::size_t i = 0; i < keys.size(); ++i)
         {
@@ -75,9 +77,9 @@ int TestIsotableCacheThreads(int, char*[])
   reference::Check check;
   const std::vector<std::uint32_t> keys = MakeKeys();
   const std::uint64_t distinct = std::set<std::uint32_t>(keys.begin(), keys.end()).size();
-  const vtkIsotablePolytope cell = vtkIsotablePolytope::Cube(3).Prism();
+  const Polytope cell = Polytope::Cube(3).Prism();
   // From the last key to the first, so that another case of a kind comes first.
-  vtkIsotableCache expected(cell);
+  SpaceTimeTable expected(cell);
   for (auto key = keys.rbegin(); key != keys.rend(); ++key)
   {
     expected.GetCase(*key);
@@ -87,7 +89,7 @@ int TestIsotableCacheThreads(int, char*[])
   for (const int threads : { 1, 2, 8 })
   {
     check.SetContext(std::to_string(threads) + " threads");
-    vtkIsotableCache cache(cell);
+    SpaceTimeTable cache(cell);
     const std::vector<CaseList> found = Ask(cache, keys, threads);
     for (const CaseList& mine : found)
     {
@@ -96,7 +98,7 @@ int TestIsotableCacheThreads(int, char*[])
     bool areEqual = true;
     for (std::size_t i = 0; i < keys.size(); ++i)
     {
-      const vtkIsotableCache::Case& other = expected.GetCase(keys[i]);
+      const SpaceTimeTable::Case& other = expected.GetCase(keys[i]);
       areEqual = areEqual && found[0][i]->Simplices == other.Simplices &&
         found[0][i]->Slots == other.Slots && found[0][i]->Symmetry == other.Symmetry;
     }

@@ -3,8 +3,9 @@
 // order; what it leaves on a face depends on that face alone; and threads may ask for the same case
 // at once.
 
-#include "Support/Intervals/ReferenceIsotable.h"
+#include "Isotables/ReferenceIsotable.h"
 
+#include "Hulls/Polytope.h"
 #include "vtkIsotable.h"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ bool TestOrders(vtkIsotable::Kinds kind, vtkIsotable::Shapes shape, std::mt19937
       },
       [](const vtkIsotable::Triangle&) {});
     if (cut !=
-      reference::PullExactly(table.GetCell(), kind == vtkIsotable::INTERVAL,
+      reference::PullExactly(interlume::Polytope::OfShape(shape), kind == vtkIsotable::INTERVAL,
         static_cast<std::uint32_t>(key), { ranks.begin(), ranks.end() }))
     {
       std::cerr << "Kind " << kind << ", shape " << shape << ", case " << key
@@ -180,7 +181,7 @@ bool TestSharedQuadrilateral(std::mt19937& random)
 
 bool TestThreads()
 {
-  const vtkIsotable table(vtkIsotable::INTERVAL, vtkIsotablePolytope::Wedge());
+  const vtkIsotable table(vtkIsotable::INTERVAL, interlume::Polytope::Wedge());
   std::vector<std::vector<const vtkIsotable::Case*>> seen(8);
   std::vector<std::thread> threads;
   for (auto& mine : seen)

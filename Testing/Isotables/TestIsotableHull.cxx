@@ -5,7 +5,7 @@
 
 #include "Support/Checks/ReferenceCheck.h"
 
-#include "vtkIsotableHull.h"
+#include "Hulls/ConvexHull.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -15,10 +15,12 @@
 #include <string>
 #include <vector>
 
+using namespace interlume;
+
 namespace
 {
 
-using Point = vtkIsotableHull::Point;
+using Point = ConvexHull::Point;
 using Points = std::vector<Point>;
 
 std::int64_t GetDeterminant(std::vector<std::vector<std::int64_t>> m)
@@ -125,10 +127,10 @@ FacetSet FindFacets(int dimension, const Points& points)
 
 void TestPoints(int dimension, const Points& points, reference::Check& check)
 {
-  const vtkIsotableHull hull(dimension, points);
+  const ConvexHull hull(dimension, points);
   FacetSet found;
   bool isOutward = true;
-  for (const vtkIsotableHull::Facet& facet : hull.GetFacets())
+  for (const ConvexHull::Facet& facet : hull.GetFacets())
   {
     std::vector<int> on;
     facet.Points.ForEach([&on](int i) { on.push_back(i); });

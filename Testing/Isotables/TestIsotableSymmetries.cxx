@@ -5,8 +5,8 @@
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 
-#include "vtkIsotablePolytope.h"
-#include "vtkIsotableSymmetries.h"
+#include "Hulls/Polytope.h"
+#include "Cases/CellSymmetries.h"
 
 #include <algorithm>
 #include <array>
@@ -17,34 +17,36 @@
 #include <string>
 #include <vector>
 
+using namespace interlume;
+
 namespace
 {
 
-using Symmetry = vtkIsotableSymmetries::Symmetry;
-using Point = vtkIsotablePolytope::Point;
+using Symmetry = CellSymmetries::Symmetry;
+using Point = Polytope::Point;
 
 struct Cell
 {
   std::string Name;
-  vtkIsotablePolytope Polytope;
+  Polytope Shape;
   int Symmetries;
   int Reflections;
 };
 
 // A cube with one face smaller than the opposite one: its graph has more symmetries than itself.
-vtkIsotablePolytope MakeFrustum()
+Polytope MakeFrustum()
 {
-  return vtkIsotablePolytope::FromVertices(3,
+  return Polytope::FromVertices(3,
     { Point{ { 0, 0, 0 } }, Point{ { 12, 0, 0 } }, Point{ { 0, 12, 0 } }, Point{ { 12, 12, 0 } },
       Point{ { 4, 4, 4 } }, Point{ { 8, 4, 4 } }, Point{ { 4, 8, 4 } }, Point{ { 8, 8, 4 } } });
 }
 
 std::vector<Cell> GetCells()
 {
-  return { { "tetrahedron x time", vtkIsotablePolytope::Simplex(3).Prism(), 48, 24 },
-    { "pyramid x time", vtkIsotablePolytope::Pyramid().Prism(), 16, 8 },
-    { "wedge x time", vtkIsotablePolytope::Wedge().Prism(), 48, 24 },
-    { "hexahedron x time", vtkIsotablePolytope::Cube(3).Prism(), 384, 192 },
+  return { { "tetrahedron x time", Polytope::Simplex(3).Prism(), 48, 24 },
+    { "pyramid x time", Polytope::Pyramid().Prism(), 16, 8 },
+    { "wedge x time", Polytope::Wedge().Prism(), 48, 24 },
+    { "hexahedron x time", Polytope::Cube(3).Prism(), 384, 192 },
     { "frustum x time", MakeFrustum().Prism(), 16, 8 } };
 }
 
@@ -52,7 +54,7 @@ std::vector<Cell> GetCells()
 class AffineMap
 {
 public:
-  AffineMap(const vtkIsotablePolytope& cell, const Symmetry& symmetry)
+  AffineMap(const Polytope& cell, const Symmetry& symmetry)
     : Cell(cell)
   {
     std::array<std::array<double, 9>, 5> rows{};
@@ -133,13 +135,13 @@ private:
     }
   }
 
-  const vtkIsotablePolytope& Cell;
+  const Polytope& Cell;
   std::array<std::array<double, 4>, 5> Matrix;
 };
 
 void TestMaps(const Cell& cell, reference::Check& check)
 {
-  const vtkIsotableSymmetries symmetries(cell.Polytope);
+  const CellSymmetries symmetries(cell.Shape);
   check.Equal(symmetries.Get().size(), cell.Symmetries, "number of symmetries");
   std::set<std::vector<std::uint8_t>> distinct;
   int reflections = 0;
@@ -147,9 +149,9 @@ void TestMaps(const Cell& cell, reference::Check& check)
   {
     distinct.insert(symmetry.Slots);
     reflections += symmetry.Reverses;
-    const AffineMap map(cell.Polytope, symmetry);
+    const AffineMap map(cell.Shape, symmetry);
     double error = 0.0;
-    for (std::size_t v = 0; v < cell.Polytope.Vertices.size(); ++v)
+    for (std::size_t v = 0; v < cell.Shape.Vertices.size(); ++v)
     {
       error = std::max(error, map.GetError(static_cast<int>(v), symmetry.Slots[v]));
     }
@@ -164,9 +166,9 @@ void TestMaps(const Cell& cell, reference::Check& check)
 
 void TestEdges(const Cell& cell, reference::Check& check)
 {
-  const std::size_t n = cell.Polytope.Vertices.size();
-  const std::size_t m = cell.Polytope.Edges.size();
-  const vtkIsotableSymmetries symmetries(cell.Polytope);
+  const std::size_t n = cell.Shape.Vertices.size();
+  const std::size_t m = cell.Shape.Edges.size();
+  const CellSymmetries symmetries(cell.Shape);
   for (const Symmetry& symmetry : symmetries.Get())
   {
     bool fits = symmetry.Slots.size() == n + 2 * m;
@@ -174,10 +176,10 @@ void TestEdges(const Cell& cell, reference::Check& check)
     {
       const std::size_t first = e < m ? n : n + m;
       const std::size_t image = symmetry.Slots[n + e] - first;
-      const auto& edge = cell.Polytope.Edges[e % m];
+      const auto& edge = cell.Shape.Edges[e % m];
       const std::set<int> moved{ symmetry.Slots[edge[0]], symmetry.Slots[edge[1]] };
       fits = image < m &&
-        moved == std::set<int>{ cell.Polytope.Edges[image][0], cell.Polytope.Edges[image][1] };
+        moved == std::set<int>{ cell.Shape.Edges[image][0], cell.Shape.Edges[image][1] };
     }
     check.That(fits, "crossings go with the ends of their edges");
   }
@@ -185,8 +187,8 @@ void TestEdges(const Cell& cell, reference::Check& check)
 
 void TestOrigins(const Cell& cell, reference::Check& check)
 {
-  const vtkIsotableSymmetries symmetries(cell.Polytope);
-  const std::size_t n = cell.Polytope.Vertices.size();
+  const CellSymmetries symmetries(cell.Shape);
+  const std::size_t n = cell.Shape.Vertices.size();
   std::mt19937 random(11);
   for (int round = 0; round < 200; ++round)
   {
@@ -212,7 +214,7 @@ void TestOrigins(const Cell& cell, reference::Check& check)
       smallest = std::min(smallest, move(symmetry));
     }
     const std::uint32_t key = move(symmetries.Get()[0]);
-    const vtkIsotableSymmetries::Origin origin = symmetries.FindOrigin(key);
+    const CellSymmetries::Origin origin = symmetries.FindOrigin(key);
     check.Equal(origin.Key, smallest, "the origin is the smallest key");
     for (int& digit : digits)
     {

@@ -3,18 +3,21 @@
 // ones stated for the method; and hulls whose facets are known.
 
 #include "vtkIsotable.h"
-#include "vtkIsotableHull.h"
-#include "vtkIsotablePatch.h"
-#include "vtkIsotablePolytope.h"
-#include "vtkIsotableTriangulation.h"
+#include "Hulls/ConvexHull.h"
+#include "Cases/CasePatch.h"
+#include "Hulls/Polytope.h"
+#include "Benchmarks/Tables/FacetTriangulation.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
 #include <numeric>
 #include <string>
 #include <vector>
+
+using namespace interlume;
 
 namespace
 {
@@ -35,9 +38,9 @@ struct Sum
   int Most = 0;
 };
 
-Sum CountSourceOrder(const vtkIsotablePolytope& cell)
+Sum CountSourceOrder(const Polytope& cell)
 {
-  const vtkIsotablePolytope lifted = cell.Prism();
+  const Polytope lifted = cell.Prism();
   const int n = static_cast<int>(cell.Vertices.size());
   std::vector<int> ranks(lifted.Edges.size());
   std::iota(ranks.begin(), ranks.end(), 0);
@@ -49,14 +52,9 @@ Sum CountSourceOrder(const vtkIsotablePolytope& cell)
   Sum sum;
   for (int key = 0; key < cases; ++key)
   {
-    std::vector<bool> positive(2 * n);
-    for (int v = 0, rest = key; v < n; ++v, rest /= 3)
-    {
-      positive[v] = rest % 3 >= 1;
-      positive[v + n] = rest % 3 == 2;
-    }
-    const int number = static_cast<int>(vtkIsotableTriangulation::Triangulate(
-      vtkIsotablePatch(lifted, positive), vtkIsotableTriangulation::PLACING, ranks)
+    const int number = static_cast<int>(FacetTriangulation::Triangulate(
+      CasePatch(lifted, CasePatch::GetSigns(n, true, static_cast<std::uint32_t>(key))),
+      FacetTriangulation::PLACING, ranks)
                                           .size());
     sum.Simplices += number;
     sum.Most = std::max(sum.Most, number);
@@ -69,14 +67,14 @@ void TestSourceOrder()
   struct Stated
   {
     const char* Name;
-    vtkIsotablePolytope Cell;
+    Polytope Cell;
     long Simplices;
     int Most;
   };
-  const Stated stated[] = { { "tetrahedron", vtkIsotablePolytope::Simplex(3), 321, 6 },
-    { "4-simplex", vtkIsotablePolytope::Simplex(4), 2031, 14 },
-    { "5-simplex", vtkIsotablePolytope::Simplex(5), 12593, 30 },
-    { "hexahedron", vtkIsotablePolytope::Cube(3), 79344, 22 } };
+  const Stated stated[] = { { "tetrahedron", Polytope::Simplex(3), 321, 6 },
+    { "4-simplex", Polytope::Simplex(4), 2031, 14 },
+    { "5-simplex", Polytope::Simplex(5), 12593, 30 },
+    { "hexahedron", Polytope::Cube(3), 79344, 22 } };
   for (const Stated& row : stated)
   {
     const Sum sum = CountSourceOrder(row.Cell);
@@ -165,37 +163,64 @@ void TestDigests()
 void TestHulls()
 {
   // The 24 cell has 24 octahedra; its prism 24 prisms and two ends.
-  std::vector<vtkIsotablePolytope::Point> points;
+  std::vector<Polytope::Point> points;
   for (int a = 0; a < 4; ++a)
   {
     for (int b = a + 1; b < 4; ++b)
     {
       for (int signs = 0; signs < 4; ++signs)
       {
-        vtkIsotablePolytope::Point p{};
+        Polytope::Point p{};
         p[a] = (signs & 1) ? 2 : -2;
         p[b] = (signs & 2) ? 2 : -2;
         points.push_back(p);
       }
     }
   }
-  const vtkIsotableHull cell24(4, points);
+  const ConvexHull cell24(4, points);
   Expect(cell24.GetFacets().size() == 24, "24-cell: 24 facets");
   for (const auto& facet : cell24.GetFacets())
   {
     Expect(
       facet.Points.Count() == 6 && cell24.FacetsOf(facet.Points).size() == 8, "24-cell: octahedra");
   }
-  const vtkIsotablePolytope polytope = vtkIsotablePolytope::FromVertices(4, points);
+  const Polytope polytope = Polytope::FromVertices(4, points);
   Expect(polytope.Edges.size() == 96, "24-cell: 96 edges");
-  Expect(vtkIsotablePolytope::Cube(5).Edges.size() == 80, "5-cube: 80 edges");
-  Expect(vtkIsotablePolytope::Pyramid().Edges.size() == 8, "pyramid: 8 edges");
-  Expect(vtkIsotablePolytope::FromVertices(3, { { { 1, 0, 0 } } }).Vertices.empty(),
+  Expect(Polytope::Cube(5).Edges.size() == 80, "5-cube: 80 edges");
+  Expect(Polytope::Pyramid().Edges.size() == 8, "pyramid: 8 edges");
+  Expect(Polytope::FromVertices(3, { { { 1, 0, 0 } } }).Vertices.empty(),
     "an odd coordinate is refused");
-  Expect(vtkIsotablePolytope::FromVertices(
+  Expect(Polytope::FromVertices(
            2, { { { 0, 0 } }, { { 4, 0 } }, { { 0, 4 } }, { { 4, 4 } }, { { 2, 2 } } })
            .Vertices.empty(),
     "a point inside is refused");
+}
+
+// Tables of cells that a user gives by their vertices.
+void TestVertices()
+{
+  using Vertices = std::vector<std::array<int, 3>>;
+  const Vertices octahedron{ { { 2, 0, 0 } }, { { -2, 0, 0 } }, { { 0, 2, 0 } }, { { 0, -2, 0 } },
+    { { 0, 0, 2 } }, { { 0, 0, -2 } } };
+  const vtkIsotable table(vtkIsotable::INTERVAL, octahedron);
+  Expect(table.GetNumberOfVertices() == 6 && table.GetNumberOfEdges() == 12 &&
+      table.GetNumberOfCases() == 729,
+    "octahedron: 6 vertices, 12 edges, 729 cases");
+  Expect(
+    table.GetCase(364).Simplices.size() == 4, "octahedron with all vertices inside: 4 tetrahedra");
+  const vtkIsotable contour(vtkIsotable::CONTOUR, octahedron);
+  Expect(contour.GetCase(1).Simplices.size() == 2, "octahedron with one vertex above: a square");
+  Vertices cube;
+  for (int i = 0; i < 8; ++i)
+  {
+    cube.push_back({ { 2 * (i & 1), i & 2, (i & 4) / 2 } });
+  }
+  Expect(vtkIsotable(vtkIsotable::INTERVAL, cube).GetNumberOfCases() == 6561, "cube: 6561 cases");
+  cube.push_back({ { 4, 4, 4 } });
+  Expect(
+    vtkIsotable(vtkIsotable::CONTOUR, cube).GetNumberOfCases() == 0, "nine points are refused");
+  Expect(vtkIsotable(vtkIsotable::CONTOUR, Vertices{ { { 1, 0, 0 } } }).GetNumberOfCases() == 0,
+    "an odd coordinate is refused");
 }
 }
 
@@ -205,5 +230,6 @@ int TestIsotableTables(int, char*[])
   TestShipped();
   TestDigests();
   TestHulls();
+  TestVertices();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

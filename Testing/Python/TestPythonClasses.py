@@ -14,8 +14,8 @@ from interlume import InterlumeIntervals
 from vtkmodules.vtkCommonCore import vtkObject, vtkVersion
 
 source = Path(sys.argv[1])
-# Parts of mappers; a class of std::vector<bool>; the module that needs TetGen.
-without = {"Scene", "vtkIsotablePatch"}
+# Parts of mappers; the module that needs TetGen.
+without = {"Scene"}
 if not hasattr(interlume, "vtkTetrahedralMesher"):
     without.add("Meshing")
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # interlume_export_public(MODULE...): of each module's library, only the public classes are visible to
 # others: those of the headers that are installed. Private parts, and what the compiler makes of
-# templates for them, stay inside. By the linker and not by the compiler, so that tests can have the
+# templates for them, stay inside. A module may share private classes with the others of the project: those of
+# namespace interlume that its property INTERLUME_SHARED_CLASSES lists. By the linker and not by the compiler, so that tests can have the
 # private parts' objects.
 function (interlume_export_public)
   if (NOT UNIX OR APPLE OR NOT BUILD_SHARED_LIBS)
@@ -22,6 +23,13 @@ function (interlume_export_public)
       foreach (kind IN ITEMS guard?variable?for non-virtual?thunk?to virtual?thunk?to)
         string(APPEND patterns "      ${kind}?${class}::*;\n")
       endforeach ()
+    endforeach ()
+    get_target_property(shared ${library} INTERLUME_SHARED_CLASSES)
+    if (NOT shared)
+      set(shared)
+    endif ()
+    foreach (class IN LISTS shared)
+      string(APPEND patterns "      interlume::${class}::*;\n")
     endforeach ()
     set(script "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${library}.exports")
     file(GENERATE OUTPUT "${script}" CONTENT

@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # interlume_private_parts(MODULE): the library MODULEPrivate, of the objects that the module's library is
-# made of. Tests of private parts link it, after the module itself: no class is exported for a test's sake.
+# made of. Tests and benchmarks of private parts link it, after the module itself: no class is exported for
+# their sake.
 function (interlume_private_parts module)
+  if (TARGET ${module}Private)
+    return ()
+  endif ()
   add_library(${module}Private STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${module}>)
   get_target_property(folder ${module} SOURCE_DIR)
   target_include_directories(${module}Private INTERFACE "${folder}" "${PROJECT_SOURCE_DIR}/Filters")

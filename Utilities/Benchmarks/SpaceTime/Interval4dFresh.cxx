@@ -5,7 +5,7 @@
 #include "Benchmarks/Measures/ResidentMemory.h"
 #include "Benchmarks/SpaceTime/Interval4dCases.h"
 
-#include "vtkIsotableCache.h"
+#include "SpaceTime/SpaceTimeTable.h"
 #include "vtkTimeVaryingIntervalVolume.h"
 
 #include <limits>
@@ -28,9 +28,9 @@ struct TableCounts
     TableCounts counts;
     for (int shape = 0; shape < vtkIsotable::NUMBER_OF_SHAPES; ++shape)
     {
-      const auto& cache = vtkIsotableCache::Get(static_cast<vtkIsotable::Shapes>(shape));
-      counts.Kinds += cache.GetNumberOfKinds();
-      counts.Bytes += cache.GetBytes();
+      const auto& table = interlume::SpaceTimeTable::Get(static_cast<vtkIsotable::Shapes>(shape));
+      counts.Kinds += table.GetNumberOfKinds();
+      counts.Bytes += table.GetBytes();
     }
     return counts;
   }

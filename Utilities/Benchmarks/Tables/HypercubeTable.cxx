@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Tables/HypercubeTable.h"
 
-#include "vtkIsotablePatch.h"
-#include "vtkIsotablePolytope.h"
+#include "Cases/CasePatch.h"
+#include "Hulls/Polytope.h"
 #include "vtkSMPTools.h"
 #include "vtkType.h"
 
@@ -11,11 +11,15 @@
 #include <map>
 #include <numeric>
 
+using interlume::CasePatch;
+using interlume::PointSet;
+using interlume::Polytope;
+
 namespace
 {
 constexpr int Vertices = 16;
 constexpr std::uint32_t Cases = 43046721;
-using PointList = vtkIsotablePatch::PointList;
+using PointList = CasePatch::PointList;
 
 // A symmetry of the cube: where vertices go, where edges of the lifted cube go, and what each digit
 // of a key weighs after it.
@@ -26,7 +30,7 @@ struct Symmetry
   std::array<std::uint32_t, Vertices> Weight;
 };
 
-std::vector<Symmetry> MakeSymmetries(const vtkIsotablePolytope& lifted)
+std::vector<Symmetry> MakeSymmetries(const Polytope& lifted)
 {
   std::map<std::array<int, 2>, int> edgeOf;
   for (std::size_t e = 0; e < lifted.Edges.size(); ++e)
@@ -118,23 +122,11 @@ std::vector<Kind> FindKinds(const std::vector<Symmetry>& symmetries)
   return kinds;
 }
 
-std::vector<bool> GetSigns(std::uint32_t key)
-{
-  const auto digits = GetDigits(key);
-  std::vector<bool> positive(2 * Vertices);
-  for (int v = 0; v < Vertices; ++v)
-  {
-    positive[v] = digits[v] >= 1;
-    positive[v + Vertices] = digits[v] == 2;
-  }
-  return positive;
-}
-
 // The face lattice of a facet by local point numbers, to count pulling triangulations quickly.
 class Lattice
 {
 public:
-  Lattice(const vtkIsotablePatch& patch, const vtkIsotablePatch::Facet& facet)
+  Lattice(const CasePatch& patch, const CasePatch::Facet& facet)
     : Points(facet.Points)
   {
     this->Top = this->Add(patch, facet.HullPoints);
@@ -154,7 +146,7 @@ private:
     std::vector<int> Sides;
   };
 
-  int Add(const vtkIsotablePatch& patch, const vtkIsotablePointSet& set)
+  int Add(const CasePatch& patch, const PointSet& set)
   {
     Face face;
     for (int edge : patch.GetEdges(set))
@@ -167,7 +159,7 @@ private:
     {
       return known->second;
     }
-    for (const vtkIsotablePointSet& side : patch.GetFacesOf(set))
+    for (const PointSet& side : patch.GetFacesOf(set))
     {
       face.Sides.push_back(this->Add(patch, side));
     }
@@ -218,7 +210,7 @@ class Counter
 public:
   Counter(const std::vector<HypercubeTable::Rule>& rules, int stride)
     : Rules(rules)
-    , Lifted(vtkIsotablePolytope::Cube(4).Prism())
+    , Lifted(Polytope::Cube(4).Prism())
     , Symmetries(MakeSymmetries(Lifted))
     , Kinds(FindKinds(Symmetries))
   {
@@ -251,7 +243,8 @@ private:
       {
         for (vtkIdType k = first; k < last; ++k)
         {
-          const vtkIsotablePatch patch(this->Lifted, GetSigns(this->Kinds[k].Key));
+          const CasePatch patch(
+            this->Lifted, CasePatch::GetSigns(Vertices, true, this->Kinds[k].Key));
           for (const auto& facet : patch.GetFacets())
           {
             facets[k].push_back(facet.Points);
@@ -303,9 +296,9 @@ private:
 
   std::vector<int> CountImages(const Orbit& orbit, const HypercubeTable::Rule& rule) const
   {
-    const vtkIsotablePatch patch(this->Lifted, GetSigns(orbit.Key));
+    const CasePatch patch(this->Lifted, CasePatch::GetSigns(Vertices, true, orbit.Key));
     const auto facet = std::find_if(patch.GetFacets().begin(), patch.GetFacets().end(),
-      [&orbit](const vtkIsotablePatch::Facet& f) { return f.Points == orbit.Points; });
+      [&orbit](const CasePatch::Facet& f) { return f.Points == orbit.Points; });
     const Lattice lattice(patch, *facet);
     std::map<std::vector<int>, int> known;
     std::vector<int> counts;
@@ -324,10 +317,10 @@ private:
       const auto found = known.insert({ order, 0 });
       if (found.second)
       {
-        found.first->second = rule.Method == vtkIsotableTriangulation::PULLING
+        found.first->second = rule.Method == FacetTriangulation::PULLING
           ? lattice.CountPulling(order)
           : static_cast<int>(
-              vtkIsotableTriangulation::TriangulateFacet(patch, *facet, rule.Method, ranks).size());
+              FacetTriangulation::TriangulateFacet(patch, *facet, rule.Method, ranks).size());
       }
       counts.push_back(found.first->second);
     }
@@ -391,7 +384,7 @@ private:
   }
 
   const std::vector<HypercubeTable::Rule>& Rules;
-  vtkIsotablePolytope Lifted;
+  Polytope Lifted;
   std::vector<Symmetry> Symmetries;
   std::vector<Kind> Kinds;
   std::vector<Orbit> Orbits;

@@ -2,7 +2,7 @@
 #ifndef HypercubeTable_h
 #define HypercubeTable_h
 
-#include "vtkIsotableTriangulation.h"
+#include "Benchmarks/Tables/FacetTriangulation.h"
 
 #include <cstdint>
 #include <vector>
@@ -33,7 +33,7 @@ public:
   /// How the points are ordered, by edge of the lifted cube, and how facets are cut in that order.
   struct Rule
   {
-    vtkIsotableTriangulation::Methods Method;
+    FacetTriangulation::Methods Method;
     std::vector<int> Ranks;
   };
 

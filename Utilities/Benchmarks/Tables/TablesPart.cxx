@@ -2,23 +2,25 @@
 #include "Benchmarks/Suites/BenchParts.h"
 #include "Benchmarks/Tables/HypercubeTable.h"
 
-#include "vtkIsotableCache.h"
-#include "vtkIsotableOrder.h"
-#include "vtkIsotablePatch.h"
-#include "vtkIsotablePolytope.h"
-#include "vtkIsotableTriangulation.h"
+#include "SpaceTime/SpaceTimeTable.h"
+#include "Cases/SlotOrder.h"
+#include "Cases/CasePatch.h"
+#include "Hulls/Polytope.h"
+#include "Benchmarks/Tables/FacetTriangulation.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
 
+using namespace interlume;
+
 namespace
 {
 struct TableCase
 {
   const char* Name;
-  vtkIsotablePolytope Cell;
+  Polytope Cell;
   // As printed in the source, to two digits; 0 where the source has no such row.
   double StatedMean;
   int StatedMaximum;
@@ -26,7 +28,7 @@ struct TableCase
 
 std::vector<TableCase> GetCases()
 {
-  using Cell = vtkIsotablePolytope;
+  using Cell = Polytope;
   return { { "tetrahedron", Cell::Simplex(3), 3.96, 6 },
     { "4-simplex", Cell::Simplex(4), 8.35, 14 }, { "5-simplex", Cell::Simplex(5), 17.27, 30 },
     { "hexahedron", Cell::Cube(3), 12.09, 22 }, { "wedge", Cell::Wedge(), 0.0, 0 },
@@ -38,7 +40,7 @@ const char* const HypercubeName = "hexahedron-time";
 const char* const AllCases = "all cases";
 
 // The order of the source: that of the edges.
-std::vector<int> GetSourceRanks(const vtkIsotablePolytope& cell)
+std::vector<int> GetSourceRanks(const Polytope& cell)
 {
   std::vector<int> ranks(cell.Prism().Edges.size());
   std::iota(ranks.begin(), ranks.end(), 0);
@@ -46,34 +48,34 @@ std::vector<int> GetSourceRanks(const vtkIsotablePolytope& cell)
 }
 
 // The order of the filters on structured grids.
-std::vector<int> GetShippedRanks(const vtkIsotablePolytope& cell)
+std::vector<int> GetShippedRanks(const Polytope& cell)
 {
   const int n = static_cast<int>(cell.Vertices.size());
   const int m = static_cast<int>(cell.Edges.size());
   std::vector<int> ascending(n);
   std::iota(ascending.begin(), ascending.end(), 0);
   std::vector<int> slotRanks(n + 2 * m);
-  vtkIsotableOrder::RankSlots(n, cell.Edges, true, ascending.data(), slotRanks.data());
+  SlotOrder::RankSlots(n, cell.Edges, true, ascending.data(), slotRanks.data());
   std::vector<int> ranks;
   ranks.reserve(slotRanks.size());
   for (int e = 0; e < n + 2 * m; ++e)
   {
-    ranks.push_back(slotRanks[vtkIsotableOrder::GetSlot(n, m, e)]);
+    ranks.push_back(slotRanks[SlotOrder::GetSlot(n, m, e)]);
   }
   return ranks;
 }
 
-HypercubeTable::Rule GetRule(const std::string& method, const vtkIsotablePolytope& cell)
+HypercubeTable::Rule GetRule(const std::string& method, const Polytope& cell)
 {
   return method == "source-order"
-    ? HypercubeTable::Rule{ vtkIsotableTriangulation::PLACING, GetSourceRanks(cell) }
-    : HypercubeTable::Rule{ vtkIsotableTriangulation::PULLING, GetShippedRanks(cell) };
+    ? HypercubeTable::Rule{ FacetTriangulation::PLACING, GetSourceRanks(cell) }
+    : HypercubeTable::Rule{ FacetTriangulation::PULLING, GetShippedRanks(cell) };
 }
 
 void AddTable(const TableCase& what, const std::string& method, BenchRows& rows)
 {
   const HypercubeTable::Rule rule = GetRule(method, what.Cell);
-  const vtkIsotablePolytope lifted = what.Cell.Prism();
+  const Polytope lifted = what.Cell.Prism();
   const int vertices = static_cast<int>(what.Cell.Vertices.size());
   int entries = 1;
   for (int v = 0; v < vertices; ++v)
@@ -82,17 +84,12 @@ void AddTable(const TableCase& what, const std::string& method, BenchRows& rows)
   }
   std::int64_t sum = 0;
   int most = 0;
-  std::vector<bool> positive(2 * vertices);
   for (int key = 0; key < entries; ++key)
   {
-    for (int v = 0, rest = key; v < vertices; ++v, rest /= 3)
-    {
-      positive[v] = rest % 3 >= 1;
-      positive[v + vertices] = rest % 3 == 2;
-    }
-    const vtkIsotablePatch patch(lifted, positive);
-    const int number = static_cast<int>(
-      vtkIsotableTriangulation::Triangulate(patch, rule.Method, rule.Ranks).size());
+    const CasePatch patch(
+      lifted, CasePatch::GetSigns(vertices, true, static_cast<std::uint32_t>(key)));
+    const int number =
+      static_cast<int>(FacetTriangulation::Triangulate(patch, rule.Method, rule.Ranks).size());
     sum += number;
     most = std::max(most, number);
   }
@@ -115,13 +112,13 @@ void AddConstantHypercube(BenchRows& rows)
   }
   BenchRow row = rows.Make("constant-hypercube", "shipped");
   row.Counts["simplices"] =
-    vtkIsotableCache::Get(vtkIsotable::HEXAHEDRON).GetCase(inside).Simplices.size();
+    SpaceTimeTable::Get(vtkIsotable::HEXAHEDRON).GetCase(inside).Simplices.size();
   rows.Add(row);
 }
 
 void AddHypercube(const BenchOptions& options, BenchRows& rows)
 {
-  const vtkIsotablePolytope cube = vtkIsotablePolytope::Cube(4);
+  const Polytope cube = Polytope::Cube(4);
   const std::vector<std::string> methods{ "source-order", "shipped" };
   std::vector<HypercubeTable::Rule> rules;
   for (const std::string& method : methods)

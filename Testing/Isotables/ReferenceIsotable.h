@@ -2,7 +2,7 @@
 #ifndef ReferenceIsotable_h
 #define ReferenceIsotable_h
 
-#include "vtkIsotablePolytope.h"
+#include "Hulls/Polytope.h"
 
 #include <cstdint>
 #include <set>
@@ -16,12 +16,9 @@ namespace reference
 using OrientedSimplex = std::vector<int>;
 OrientedSimplex Orient(const std::vector<int>& slots);
 
-/// Whether each vertex of the lifted cell (of the cell itself for a contour) is positive.
-std::vector<bool> GetSigns(int numberOfVertices, bool isInterval, std::uint32_t key);
-
 /// The exact pulling triangulation of a case, an interval's or a contour's, in an order of the
 /// slots.
-std::multiset<OrientedSimplex> PullExactly(const vtkIsotablePolytope& cell, bool isInterval,
+std::multiset<OrientedSimplex> PullExactly(const interlume::Polytope& cell, bool isInterval,
   std::uint32_t key, const std::vector<int>& slotRanks);
 
 }

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkIsotablePolytope.h"
+#include "Hulls/Polytope.h"
 
-#include "vtkIsotableHull.h"
-#include "vtkIsotablePointSet.h"
+#include "Hulls/ConvexHull.h"
+#include "Hulls/PointSet.h"
 
+#include "vtkIsotable.h"
+
+#include <algorithm>
 #include <cstdlib>
 
-vtkIsotablePolytope vtkIsotablePolytope::Simplex(int dimension)
+namespace interlume
 {
-  vtkIsotablePolytope cell;
+
+Polytope Polytope::Simplex(int dimension)
+{
+  Polytope cell;
   cell.Dimension = dimension;
   cell.Vertices.push_back(Point{});
   for (int axis = 0; axis < dimension; ++axis)
@@ -27,9 +33,9 @@ vtkIsotablePolytope vtkIsotablePolytope::Simplex(int dimension)
   return cell;
 }
 
-vtkIsotablePolytope vtkIsotablePolytope::Cube(int dimension)
+Polytope Polytope::Cube(int dimension)
 {
-  vtkIsotablePolytope cell;
+  Polytope cell;
   cell.Dimension = dimension;
   for (int i = 0; i < (1 << dimension); ++i)
   {
@@ -56,37 +62,34 @@ vtkIsotablePolytope vtkIsotablePolytope::Cube(int dimension)
   return cell;
 }
 
-vtkIsotablePolytope vtkIsotablePolytope::Hexahedron()
-{
-  // VTK_HEXAHEDRON turns around its faces where the cube goes in rows.
-  vtkIsotablePolytope cell = Cube(3);
-  const std::array<int, 8> turned{ { 0, 1, 3, 2, 4, 5, 7, 6 } };
-  const std::vector<Point> rows = cell.Vertices;
-  for (int i = 0; i < 8; ++i)
-  {
-    cell.Vertices[i] = rows[turned[i]];
-  }
-  for (auto& edge : cell.Edges)
-  {
-    edge = { { turned[edge[0]], turned[edge[1]] } };
-  }
-  return cell;
-}
-
-vtkIsotablePolytope vtkIsotablePolytope::Wedge()
+Polytope Polytope::Wedge()
 {
   return Simplex(2).Prism();
 }
 
-vtkIsotablePolytope vtkIsotablePolytope::Pyramid()
+Polytope Polytope::Pyramid()
 {
   return FromVertices(3,
     { Point{ { 0, 0, 0 } }, Point{ { 2, 0, 0 } }, Point{ { 2, 2, 0 } }, Point{ { 0, 2, 0 } },
       Point{ { 0, 0, 2 } } });
 }
 
-vtkIsotablePolytope vtkIsotablePolytope::FromVertices(
-  int dimension, const std::vector<Point>& vertices)
+Polytope Polytope::OfShape(int shape)
+{
+  switch (shape)
+  {
+    case vtkIsotable::TETRAHEDRON:
+      return Simplex(3);
+    case vtkIsotable::PYRAMID:
+      return Pyramid();
+    case vtkIsotable::WEDGE:
+      return Wedge();
+    default:
+      return Cube(3);
+  }
+}
+
+Polytope Polytope::FromVertices(int dimension, const std::vector<Point>& vertices)
 {
   if (vertices.size() > MaximumNumberOfVertices)
   {
@@ -102,10 +105,10 @@ vtkIsotablePolytope vtkIsotablePolytope::FromVertices(
       }
     }
   }
-  vtkIsotablePolytope cell;
+  Polytope cell;
   cell.Dimension = dimension;
   cell.Vertices = vertices;
-  const vtkIsotableHull hull(dimension, vertices);
+  const ConvexHull hull(dimension, vertices);
   const int n = static_cast<int>(vertices.size());
   for (int i = 0; i < n; ++i)
   {
@@ -123,12 +126,12 @@ vtkIsotablePolytope vtkIsotablePolytope::FromVertices(
       }
     }
   }
-  return cell.Edges.size() <= MaximumNumberOfEdges ? cell : vtkIsotablePolytope{};
+  return cell.Edges.size() <= MaximumNumberOfEdges ? cell : Polytope{};
 }
 
-vtkIsotablePolytope vtkIsotablePolytope::Prism() const
+Polytope Polytope::Prism() const
 {
-  vtkIsotablePolytope prism = *this;
+  Polytope prism = *this;
   prism.Dimension = this->Dimension + 1;
   const int n = static_cast<int>(this->Vertices.size());
   for (Point p : this->Vertices)
@@ -147,7 +150,18 @@ vtkIsotablePolytope vtkIsotablePolytope::Prism() const
   return prism;
 }
 
-vtkIsotablePolytope::Point vtkIsotablePolytope::Midpoint(int edge) const
+std::vector<std::array<std::uint8_t, 2>> Polytope::GetSortedEdges() const
+{
+  std::vector<std::array<std::uint8_t, 2>> edges;
+  for (const auto& edge : this->Edges)
+  {
+    edges.push_back({ { static_cast<std::uint8_t>(std::min(edge[0], edge[1])),
+      static_cast<std::uint8_t>(std::max(edge[0], edge[1])) } });
+  }
+  return edges;
+}
+
+Polytope::Point Polytope::Midpoint(int edge) const
 {
   const Point& a = this->Vertices[this->Edges[edge][0]];
   const Point& b = this->Vertices[this->Edges[edge][1]];
@@ -157,4 +171,6 @@ vtkIsotablePolytope::Point vtkIsotablePolytope::Midpoint(int edge) const
     p[axis] = (a[axis] + b[axis]) / 2;
   }
   return p;
+}
+
 }

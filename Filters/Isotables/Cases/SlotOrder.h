@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef vtkIsotableOrder_h
-#define vtkIsotableOrder_h
+#ifndef interlume_SlotOrder_h
+#define interlume_SlotOrder_h
 
-#include <algorithm> // for the ends of an edge
-#include <cstddef>   // for loops
-#include <cstdint>   // for the ranks
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace interlume
+{
 
 /**
- * @class   vtkIsotableOrder
+ * @class   SlotOrder
  * @brief   the order of the points of a case that all isotables are cut in
  *
  * With n vertices and m edges, the points of an interval are slots: vertices 0 ... n-1, lower
@@ -15,10 +18,10 @@
  * upper crossings, each by the ranks of the edge's ends, the smaller rank first. Two cells that
  * rank the vertices they share alike rank the points on their common face alike.
  */
-class vtkIsotableOrder
+class SlotOrder
 {
 public:
-  /// Returns the slot of a point that is named by an edge of the lifted cell, as vtkIsotablePatch
+  /// Returns the slot of a point that is named by an edge of the lifted cell, as CasePatch
   /// names it.
   static int GetSlot(int numberOfVertices, int numberOfEdges, int liftedEdge)
   {
@@ -50,5 +53,7 @@ public:
     }
   }
 };
+
+}
 
 #endif

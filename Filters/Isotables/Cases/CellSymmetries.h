@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef vtkIsotableSymmetries_h
-#define vtkIsotableSymmetries_h
+#ifndef interlume_CellSymmetries_h
+#define interlume_CellSymmetries_h
 
-#include "InterlumeIsotablesModule.h" // for the export macro
-#include "vtkIsotablePolytope.h"      // for the cell
+#include "Hulls/Polytope.h"
 
-#include <array>   // for the edges
-#include <cstdint> // for the slots
-#include <vector>  // for the lists
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace interlume
+{
 
 /**
- * @class   vtkIsotableSymmetries
+ * @class   CellSymmetries
  * @brief   the affine maps of a cell onto itself, and what they do to the cases of its interval
  * table
  *
@@ -19,9 +21,9 @@
  * the pyramid. Cases that one of them takes into each other are of one kind, and the smallest of
  * their keys stands for it.
  *
- * A cell has at most 16 vertices. Slots are those of vtkIsotableOrder.
+ * A cell has at most 16 vertices. Slots are those of SlotOrder.
  */
-class INTERLUMEISOTABLES_EXPORT vtkIsotableSymmetries
+class CellSymmetries
 {
 public:
   using Slot = std::uint8_t;
@@ -41,7 +43,7 @@ public:
     int Symmetry;
   };
 
-  explicit vtkIsotableSymmetries(const vtkIsotablePolytope& cell);
+  explicit CellSymmetries(const Polytope& cell);
 
   /// Returns the symmetries, the identity first.
   const std::vector<Symmetry>& Get() const { return this->Symmetries; }
@@ -62,5 +64,7 @@ private:
   /// key that the symmetry's inverse makes.
   std::vector<std::uint32_t> MovedKeys;
 };
+
+}
 
 #endif

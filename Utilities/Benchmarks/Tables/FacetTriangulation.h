@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef vtkIsotableTriangulation_h
-#define vtkIsotableTriangulation_h
+#ifndef FacetTriangulation_h
+#define FacetTriangulation_h
 
-#include "InterlumeIsotablesModule.h" // for the export macro
-#include "vtkIsotablePatch.h"         // for the patch
+#include "Cases/CasePatch.h"
 
-#include <vector> // for the lists
+#include <vector>
 
 /**
- * @class   vtkIsotableTriangulation
+ * @class   FacetTriangulation
  * @brief   cuts the facets of a patch into simplices in a given order of the points
  *
  * Both methods depend on a face only through the order of its own points, so that two cells which
@@ -20,10 +19,10 @@
  * Every simplex has the orientation of its facet. \a rank has one entry for each edge of
  * the cell; equal ranks must not occur among the points of a facet.
  */
-class INTERLUMEISOTABLES_EXPORT vtkIsotableTriangulation
+class FacetTriangulation
 {
 public:
-  using PointList = vtkIsotablePatch::PointList;
+  using PointList = interlume::CasePatch::PointList;
 
   enum Methods
   {
@@ -32,10 +31,10 @@ public:
   };
 
   static std::vector<PointList> Triangulate(
-    const vtkIsotablePatch& patch, Methods method, const std::vector<int>& rank);
+    const interlume::CasePatch& patch, Methods method, const std::vector<int>& rank);
 
-  static std::vector<PointList> TriangulateFacet(const vtkIsotablePatch& patch,
-    const vtkIsotablePatch::Facet& facet, Methods method, const std::vector<int>& rank);
+  static std::vector<PointList> TriangulateFacet(const interlume::CasePatch& patch,
+    const interlume::CasePatch::Facet& facet, Methods method, const std::vector<int>& rank);
 };
 
 #endif

@@ -3,7 +3,7 @@
 #define interlume_MovedPieces_h
 
 #include "vtkIsotable.h"
-#include "vtkIsotableSymmetries.h"
+#include "Cases/CellSymmetries.h"
 
 #include <vector>
 
@@ -25,7 +25,7 @@ public:
   /// Returns the moved pieces of a cell of \a vertices and \a edges, in the form of
   /// vtkIsotable::Case.
   static std::vector<Slot> Move(const std::vector<Slot>& pieces,
-    const vtkIsotableSymmetries::Symmetry& symmetry, int vertices, int edges);
+    const CellSymmetries::Symmetry& symmetry, int vertices, int edges);
 };
 
 }

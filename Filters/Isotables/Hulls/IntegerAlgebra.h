@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef interlume_IsotableAlgebra_h
-#define interlume_IsotableAlgebra_h
+#ifndef interlume_IntegerAlgebra_h
+#define interlume_IntegerAlgebra_h
 
-#include "vtkIsotableHull.h" // for points and normals
+#include "Hulls/ConvexHull.h"
 
 #include <algorithm>
 #include <numeric>
@@ -14,11 +14,11 @@ namespace interlume
 /**
  * Exact integer algebra shared by the hull and the triangulations. The header is not installed.
  */
-namespace IsotableAlgebra
+namespace IntegerAlgebra
 {
-using Point = vtkIsotableHull::Point;
-using Normal = vtkIsotableHull::Normal;
-constexpr int MaximumDimension = vtkIsotablePolytope::MaximumDimension;
+using Point = ConvexHull::Point;
+using Normal = ConvexHull::Normal;
+constexpr int MaximumDimension = Polytope::MaximumDimension;
 
 /// Computes the determinant of the n x n matrix whose rows are \a m, over the columns listed.
 inline std::int64_t Determinant(const Normal* m, const int* columns, int n)
@@ -142,4 +142,4 @@ private:
 }
 
 #endif
-// VTK-HeaderTest-Exclude: IsotableAlgebra.h
+// VTK-HeaderTest-Exclude: IntegerAlgebra.h

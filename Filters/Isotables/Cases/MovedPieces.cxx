@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Combinatorics/MovedPieces.h"
+#include "Cases/MovedPieces.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -31,7 +31,7 @@ struct Piece
 class Mover
 {
 public:
-  Mover(const vtkIsotableSymmetries::Symmetry& symmetry, int vertices, int edges)
+  Mover(const CellSymmetries::Symmetry& symmetry, int vertices, int edges)
     : Symmetry(symmetry)
     , Vertices(vertices)
     , Edges(edges)
@@ -116,7 +116,7 @@ private:
     return piece;
   }
 
-  // Has a polygon begin where vtkIsotablePatch begins it: with the side whose greater edge is the
+  // Has a polygon begin where CasePatch begins it: with the side whose greater edge is the
   // greatest, and then the lesser one; or end there, where the side is passed the other way.
   void Rotate(std::vector<Slot>& points) const
   {
@@ -138,14 +138,14 @@ private:
     std::rotate(points.begin(), points.begin() + first, points.end());
   }
 
-  const vtkIsotableSymmetries::Symmetry& Symmetry;
+  const CellSymmetries::Symmetry& Symmetry;
   int Vertices;
   int Edges;
 };
 }
 
 std::vector<MovedPieces::Slot> MovedPieces::Move(const std::vector<Slot>& pieces,
-  const vtkIsotableSymmetries::Symmetry& symmetry, int vertices, int edges)
+  const CellSymmetries::Symmetry& symmetry, int vertices, int edges)
 {
   return Mover(symmetry, vertices, edges).Move(pieces);
 }

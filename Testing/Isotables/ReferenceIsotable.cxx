@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
+<<<<<<<< HEAD:Testing/Support/Intervals/ReferenceIsotable.cxx
 #include "Support/Intervals/ReferenceIsotable.h"
+========
+#include "Isotables/ReferenceIsotable.h"
+>>>>>>>> 93876720 (Install one class of case tables):Testing/Isotables/ReferenceIsotable.cxx
 
-#include "vtkIsotablePatch.h"
-#include "vtkIsotableTriangulation.h"
+#include "Cases/CasePatch.h"
+#include "Benchmarks/Tables/FacetTriangulation.h"
 
 #include <algorithm>
 #include <cstddef>
+
+using namespace interlume;
 
 namespace reference
 {
@@ -26,27 +32,12 @@ OrientedSimplex Orient(const std::vector<int>& slots)
   return sorted;
 }
 
-std::vector<bool> GetSigns(int numberOfVertices, bool isInterval, std::uint32_t key)
-{
-  const std::uint32_t base = isInterval ? 3 : 2;
-  std::vector<bool> positive(isInterval ? 2 * numberOfVertices : numberOfVertices);
-  for (int v = 0; v < numberOfVertices; ++v, key /= base)
-  {
-    positive[v] = key % base >= 1;
-    if (isInterval)
-    {
-      positive[v + numberOfVertices] = key % base == 2;
-    }
-  }
-  return positive;
-}
-
-std::multiset<OrientedSimplex> PullExactly(const vtkIsotablePolytope& cell, bool isInterval,
-  std::uint32_t key, const std::vector<int>& slotRanks)
+std::multiset<OrientedSimplex> PullExactly(
+  const Polytope& cell, bool isInterval, std::uint32_t key, const std::vector<int>& slotRanks)
 {
   const int n = static_cast<int>(cell.Vertices.size());
   const int m = static_cast<int>(cell.Edges.size());
-  const vtkIsotablePolytope lifted = isInterval ? cell.Prism() : cell;
+  const Polytope lifted = isInterval ? cell.Prism() : cell;
   // The lifted cell has the edges of the lower side, of the upper side, and those at the vertices.
   const auto toSlot = [=](int edge) { return edge < 2 * m ? n + edge : edge - 2 * m; };
   std::vector<int> ranks;
@@ -56,8 +47,8 @@ std::multiset<OrientedSimplex> PullExactly(const vtkIsotablePolytope& cell, bool
   }
   std::multiset<OrientedSimplex> result;
   for (std::vector<int> simplex :
-    vtkIsotableTriangulation::Triangulate(vtkIsotablePatch(lifted, GetSigns(n, isInterval, key)),
-      vtkIsotableTriangulation::PULLING, ranks))
+    FacetTriangulation::Triangulate(CasePatch(lifted, CasePatch::GetSigns(n, isInterval, key)),
+      FacetTriangulation::PULLING, ranks))
   {
     std::transform(simplex.begin(), simplex.end(), simplex.begin(), toSlot);
     result.insert(Orient(simplex));

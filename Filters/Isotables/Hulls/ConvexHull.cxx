@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkIsotableHull.h"
+#include "Hulls/ConvexHull.h"
 
-#include "Combinatorics/IsotableAlgebra.h"
+#include "Hulls/IntegerAlgebra.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <numeric>
 
+namespace interlume
+{
+
 namespace
 {
-using namespace interlume::IsotableAlgebra;
-using Point = vtkIsotableHull::Point;
-using Normal = vtkIsotableHull::Normal;
+using namespace IntegerAlgebra;
+using Point = ConvexHull::Point;
+using Normal = ConvexHull::Normal;
 
 // A facet of the growing hull: Outward * x <= Offset.
 struct Face
@@ -20,7 +23,7 @@ struct Face
   std::int64_t Offset;
   // The height of the point that is added: above the facet if positive.
   std::int64_t Height;
-  vtkIsotablePointSet Points;
+  PointSet Points;
 };
 
 // Finds affinely independent points, greedily in order; fewer than dimension + 1 for flat input.
@@ -40,10 +43,10 @@ std::vector<int> FindSpanningPoints(int dimension, const std::vector<Point>& poi
 
 // Returns whether two facets share a ridge: no third one holds all that they share.
 template <typename FaceType>
-bool MeetInRidge(int dimension, const std::vector<FaceType>& faces, const vtkIsotablePointSet& a,
-  const vtkIsotablePointSet& b)
+bool MeetInRidge(
+  int dimension, const std::vector<FaceType>& faces, const PointSet& a, const PointSet& b)
 {
-  const vtkIsotablePointSet shared = a & b;
+  const PointSet shared = a & b;
   return shared.HasAtLeast(dimension - 1) &&
     std::none_of(faces.begin(), faces.end(),
       [&](const FaceType& other)
@@ -80,14 +83,14 @@ public:
     {
       return false;
     }
-    vtkIsotablePointSet simplex;
+    PointSet simplex;
     for (int i : start)
     {
       simplex.Insert(i);
     }
     for (int i : start)
     {
-      vtkIsotablePointSet side = simplex;
+      PointSet side = simplex;
       side.Remove(i);
       this->Faces.push_back(this->MakeFace(side, i));
     }
@@ -105,7 +108,7 @@ public:
 
 private:
   // Makes a face from points that span a hyperplane and one that lies below it.
-  Face MakeFace(const vtkIsotablePointSet& points, int inside) const
+  Face MakeFace(const PointSet& points, int inside) const
   {
     const Point& origin = this->Points[points.GetFirst()];
     std::array<Normal, MaximumDimension - 1> rows{};
@@ -136,7 +139,7 @@ private:
   // of.
   Face MakeFace(const Face& above, const Face& below, int point) const
   {
-    vtkIsotablePointSet points = above.Points & below.Points;
+    PointSet points = above.Points & below.Points;
     points.Insert(point);
     const std::int64_t common = std::gcd(above.Height, below.Height);
     const std::int64_t a = above.Height / common;
@@ -194,10 +197,10 @@ private:
 };
 }
 
-vtkIsotableHull::vtkIsotableHull(int dimension, const std::vector<Point>& points)
+ConvexHull::ConvexHull(int dimension, const std::vector<Point>& points)
   : Dimension(dimension)
 {
-  if (points.size() > vtkIsotablePointSet::Capacity)
+  if (points.size() > PointSet::Capacity)
   {
     return;
   }
@@ -215,19 +218,19 @@ vtkIsotableHull::vtkIsotableHull(int dimension, const std::vector<Point>& points
     [](const Facet& a, const Facet& b) { return a.Points < b.Points; });
 }
 
-bool vtkIsotableHull::IsRidge(const vtkIsotablePointSet& a, const vtkIsotablePointSet& b) const
+bool ConvexHull::IsRidge(const PointSet& a, const PointSet& b) const
 {
   return MeetInRidge(this->Dimension, this->Facets, a, b);
 }
 
-vtkIsotablePointSet vtkIsotableHull::SmallestFace(std::initializer_list<int> points) const
+PointSet ConvexHull::SmallestFace(std::initializer_list<int> points) const
 {
-  vtkIsotablePointSet wanted;
+  PointSet wanted;
   for (int i : points)
   {
     wanted.Insert(i);
   }
-  vtkIsotablePointSet common;
+  PointSet common;
   bool any = false;
   for (const Facet& facet : this->Facets)
   {
@@ -240,13 +243,13 @@ vtkIsotablePointSet vtkIsotableHull::SmallestFace(std::initializer_list<int> poi
   return common;
 }
 
-std::vector<vtkIsotablePointSet> vtkIsotableHull::FacetsOf(const vtkIsotablePointSet& face) const
+std::vector<PointSet> ConvexHull::FacetsOf(const PointSet& face) const
 {
-  std::vector<vtkIsotablePointSet> result;
+  std::vector<PointSet> result;
   result.reserve(this->Facets.size());
   for (const Facet& facet : this->Facets)
   {
-    const vtkIsotablePointSet common = face & facet.Points;
+    const PointSet common = face & facet.Points;
     if (!common.IsEmpty() && common != face)
     {
       result.push_back(common);
@@ -254,12 +257,14 @@ std::vector<vtkIsotablePointSet> vtkIsotableHull::FacetsOf(const vtkIsotablePoin
   }
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
-  const std::vector<vtkIsotablePointSet> all = result;
-  const auto isInside = [&all](const vtkIsotablePointSet& set)
+  const std::vector<PointSet> all = result;
+  const auto isInside = [&all](const PointSet& set)
   {
     return std::any_of(all.begin(), all.end(),
-      [&set](const vtkIsotablePointSet& other) { return set != other && set.IsSubsetOf(other); });
+      [&set](const PointSet& other) { return set != other && set.IsSubsetOf(other); });
   };
   result.erase(std::remove_if(result.begin(), result.end(), isInside), result.end());
   return result;
+}
+
 }

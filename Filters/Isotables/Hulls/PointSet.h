@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef vtkIsotablePointSet_h
-#define vtkIsotablePointSet_h
+#ifndef interlume_PointSet_h
+#define interlume_PointSet_h
 
-#include <array>   // for the words
-#include <cstdint> // for the words
+#include <array>
+#include <cstdint>
+
+namespace interlume
+{
 
 /**
- * @class   vtkIsotablePointSet
+ * @class   PointSet
  * @brief   a set of at most 128 small integers
  *
  * Holds which points of a hull lie on a face. Subset and intersection are what face lattices are
  * made of.
  */
-class vtkIsotablePointSet
+class PointSet
 {
 public:
   static constexpr int Capacity = 128;
@@ -45,32 +48,32 @@ public:
     return this->Words[0] != 0 ? FindBit(this->Words[0]) : 64 + FindBit(this->Words[1]);
   }
 
-  bool IsSubsetOf(const vtkIsotablePointSet& other) const
+  bool IsSubsetOf(const PointSet& other) const
   {
     return (this->Words[0] & ~other.Words[0]) == 0 && (this->Words[1] & ~other.Words[1]) == 0;
   }
 
-  vtkIsotablePointSet operator&(const vtkIsotablePointSet& other) const
+  PointSet operator&(const PointSet& other) const
   {
-    vtkIsotablePointSet result;
+    PointSet result;
     result.Words = { this->Words[0] & other.Words[0], this->Words[1] & other.Words[1] };
     return result;
   }
 
   /// Returns the members that \a other lacks.
-  vtkIsotablePointSet operator-(const vtkIsotablePointSet& other) const
+  PointSet operator-(const PointSet& other) const
   {
-    vtkIsotablePointSet result;
+    PointSet result;
     result.Words = { this->Words[0] & ~other.Words[0], this->Words[1] & ~other.Words[1] };
     return result;
   }
 
-  bool operator==(const vtkIsotablePointSet& other) const
+  bool operator==(const PointSet& other) const
   {
     return this->Words[0] == other.Words[0] && this->Words[1] == other.Words[1];
   }
-  bool operator!=(const vtkIsotablePointSet& other) const { return !(*this == other); }
-  bool operator<(const vtkIsotablePointSet& other) const { return this->Words < other.Words; }
+  bool operator!=(const PointSet& other) const { return !(*this == other); }
+  bool operator<(const PointSet& other) const { return this->Words < other.Words; }
 
   /// Calls \a visit with each member in increasing order.
   template <typename Visitor>
@@ -100,5 +103,7 @@ private:
 
   std::array<std::uint64_t, 2> Words{ { 0, 0 } };
 };
+
+}
 
 #endif

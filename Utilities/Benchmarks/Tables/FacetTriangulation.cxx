@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkIsotableTriangulation.h"
+#include "Benchmarks/Tables/FacetTriangulation.h"
 
-#include "Combinatorics/IsotableAlgebra.h"
+#include "Hulls/IntegerAlgebra.h"
 
 #include <algorithm>
 #include <map>
 
+using namespace interlume;
+
 namespace
 {
-using PointList = vtkIsotableTriangulation::PointList;
+using PointList = FacetTriangulation::PointList;
 
 // A pulling triangulation, remembered by face since faces are shared.
 class Puller
 {
 public:
-  Puller(const vtkIsotablePatch& patch, const std::vector<int>& rank)
+  Puller(const CasePatch& patch, const std::vector<int>& rank)
     : Patch(patch)
     , Rank(rank)
   {
   }
 
-  const std::vector<PointList>& Pull(const vtkIsotablePointSet& face)
+  const std::vector<PointList>& Pull(const PointSet& face)
   {
     const auto known = this->Known.find(face);
     if (known != this->Known.end())
@@ -37,7 +39,7 @@ public:
     {
       const int first = *std::min_element(points.begin(), points.end(),
         [this](int a, int b) { return this->Rank[a] < this->Rank[b]; });
-      for (const vtkIsotablePointSet& side : this->Patch.GetFacesOf(face))
+      for (const PointSet& side : this->Patch.GetFacesOf(face))
       {
         const PointList sidePoints = this->Patch.GetEdges(side);
         if (std::find(sidePoints.begin(), sidePoints.end(), first) != sidePoints.end())
@@ -55,16 +57,16 @@ public:
   }
 
 private:
-  const vtkIsotablePatch& Patch;
+  const CasePatch& Patch;
   const std::vector<int>& Rank;
-  std::map<vtkIsotablePointSet, std::vector<PointList>> Known;
+  std::map<PointSet, std::vector<PointList>> Known;
 };
 
 // A placing triangulation of points that may span fewer dimensions at first.
 class Placer
 {
 public:
-  explicit Placer(const vtkIsotablePolytope& cell)
+  explicit Placer(const Polytope& cell)
     : Cell(cell)
     , Affine(cell.Dimension)
   {
@@ -103,16 +105,14 @@ private:
   std::int64_t GetOrientation(const PointList& face, int point) const
   {
     const std::vector<int>& pivots = this->Affine.GetPivots();
-    const interlume::IsotableAlgebra::Point origin = this->Cell.Midpoint(face[0]);
-    interlume::IsotableAlgebra::Normal rows[interlume::IsotableAlgebra::MaximumDimension];
+    const IntegerAlgebra::Point origin = this->Cell.Midpoint(face[0]);
+    IntegerAlgebra::Normal rows[IntegerAlgebra::MaximumDimension];
     for (std::size_t i = 1; i < face.size(); ++i)
     {
-      rows[i - 1] = interlume::IsotableAlgebra::Difference(this->Cell.Midpoint(face[i]), origin);
+      rows[i - 1] = IntegerAlgebra::Difference(this->Cell.Midpoint(face[i]), origin);
     }
-    rows[face.size() - 1] =
-      interlume::IsotableAlgebra::Difference(this->Cell.Midpoint(point), origin);
-    return interlume::IsotableAlgebra::Determinant(
-      rows, pivots.data(), static_cast<int>(pivots.size()));
+    rows[face.size() - 1] = IntegerAlgebra::Difference(this->Cell.Midpoint(point), origin);
+    return IntegerAlgebra::Determinant(rows, pivots.data(), static_cast<int>(pivots.size()));
   }
 
   void JoinVisible(int point)
@@ -148,13 +148,13 @@ private:
     }
   }
 
-  const vtkIsotablePolytope& Cell;
-  interlume::IsotableAlgebra::Span Affine;
+  const Polytope& Cell;
+  IntegerAlgebra::Span Affine;
 };
 }
 
-std::vector<PointList> vtkIsotableTriangulation::TriangulateFacet(const vtkIsotablePatch& patch,
-  const vtkIsotablePatch::Facet& facet, Methods method, const std::vector<int>& rank)
+std::vector<PointList> FacetTriangulation::TriangulateFacet(const CasePatch& patch,
+  const CasePatch::Facet& facet, Methods method, const std::vector<int>& rank)
 {
   std::vector<PointList> simplices;
   if (method == PULLING)
@@ -182,11 +182,11 @@ std::vector<PointList> vtkIsotableTriangulation::TriangulateFacet(const vtkIsota
   return simplices;
 }
 
-std::vector<PointList> vtkIsotableTriangulation::Triangulate(
-  const vtkIsotablePatch& patch, Methods method, const std::vector<int>& rank)
+std::vector<PointList> FacetTriangulation::Triangulate(
+  const CasePatch& patch, Methods method, const std::vector<int>& rank)
 {
   std::vector<PointList> simplices;
-  for (const vtkIsotablePatch::Facet& facet : patch.GetFacets())
+  for (const CasePatch::Facet& facet : patch.GetFacets())
   {
     const std::vector<PointList> some = TriangulateFacet(patch, facet, method, rank);
     simplices.insert(simplices.end(), some.begin(), some.end());

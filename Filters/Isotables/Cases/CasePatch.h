@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef vtkIsotablePatch_h
-#define vtkIsotablePatch_h
+#ifndef interlume_CasePatch_h
+#define interlume_CasePatch_h
 
-#include "InterlumeIsotablesModule.h" // for the export macro
-#include "vtkIsotableHull.h"          // for the facets
-#include "vtkIsotablePolytope.h"      // for the cell
+#include "Hulls/ConvexHull.h"
+#include "Hulls/Polytope.h"
 
-#include <vector> // for the lists
+#include <cstdint>
+#include <vector>
+
+namespace interlume
+{
 
 /**
- * @class   vtkIsotablePatch
+ * @class   CasePatch
  * @brief   one case of an isotable: the isosurface patch inside a cell for given signs
  *
  * The patch is made of the facets of the convex hull of { positive vertices } and { midpoints of
@@ -17,29 +20,33 @@
  * Crawfis 2004). These are the facets without a positive vertex. A patch point is named by its
  * edge.
  */
-class INTERLUMEISOTABLES_EXPORT vtkIsotablePatch
+class CasePatch
 {
 public:
   /// A list of patch points, each the index of an edge of the cell.
   using PointList = std::vector<int>;
-  using Point = vtkIsotableHull::Point;
-  using Normal = vtkIsotableHull::Normal;
+  using Point = ConvexHull::Point;
+  using Normal = ConvexHull::Normal;
 
   struct Facet
   {
-    vtkIsotablePointSet HullPoints;
+    PointSet HullPoints;
     /// The points of the patch, in increasing order of edges.
     PointList Points;
     /// The normal that points from the positive side to the negative.
     Normal Outward;
   };
 
-  /// Computes the patch. \a positive has one entry for each vertex of \a cell.
-  vtkIsotablePatch(const vtkIsotablePolytope& cell, const std::vector<bool>& positive);
+  /// Returns which vertices are positive in the case of a key of vtkIsotable: those of the lifted
+  /// cell of an interval, of the cell itself for a contour.
+  static std::vector<bool> GetSigns(int numberOfVertices, bool isInterval, std::uint32_t key);
 
-  const vtkIsotablePolytope& GetCell() const { return this->Cell; }
+  /// Computes the patch. \a positive has one entry for each vertex of \a cell.
+  CasePatch(const Polytope& cell, const std::vector<bool>& positive);
+
+  const Polytope& GetCell() const { return this->Cell; }
   const std::vector<Facet>& GetFacets() const { return this->Facets; }
-  const vtkIsotableHull& GetHull() const { return this->Hull; }
+  const ConvexHull& GetHull() const { return this->Hull; }
 
   /**
    * Returns the faces of a facet, one dimension less. In four dimensions, where a facet is a solid,
@@ -54,13 +61,13 @@ public:
   PointList GetPolygon(const Facet& facet) const;
 
   /// Returns the faces of any face of the hull, as sets of hull points.
-  std::vector<vtkIsotablePointSet> GetFacesOf(const vtkIsotablePointSet& face) const;
+  std::vector<PointSet> GetFacesOf(const PointSet& face) const;
 
   /// Returns for each hull point the edge it stands for, or -1 for a positive vertex.
   const std::vector<int>& GetEdgesOfHullPoints() const { return this->EdgeOfPoint; }
 
   /// Returns the edges that a set of hull points stands for.
-  PointList GetEdges(const vtkIsotablePointSet& face) const;
+  PointList GetEdges(const PointSet& face) const;
 
   /**
    * Returns whether the simplex of dimension d - 1 with these points has the orientation of the
@@ -69,12 +76,14 @@ public:
   bool IsPositive(const Facet& facet, const PointList& simplex) const;
 
 private:
-  PointList ChainPolygon(const vtkIsotablePointSet& polygon) const;
+  PointList ChainPolygon(const PointSet& polygon) const;
 
-  vtkIsotablePolytope Cell;
+  Polytope Cell;
   std::vector<int> EdgeOfPoint;
-  vtkIsotableHull Hull;
+  ConvexHull Hull;
   std::vector<Facet> Facets;
 };
+
+}
 
 #endif

@@ -1,28 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef vtkIsotablePieces_h
-#define vtkIsotablePieces_h
+#ifndef interlume_CasePieces_h
+#define interlume_CasePieces_h
 
-#include "InterlumeIsotablesModule.h" // for the export macro
-#include "vtkIsotablePatch.h"         // for the patch
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
-#include <array>   // for the simplices
-#include <cstddef> // for the size
-#include <cstdint> // for the slots
-#include <utility> // for exchanges
-#include <vector>  // for the lists
+namespace interlume
+{
+
+class CasePatch;
 
 /**
- * @class   vtkIsotablePieces
+ * @class   CasePieces
  * @brief   the convex pieces of one case of a four-dimensional cell, ready to be cut in any order
  *
  * A piece is a facet of the patch in five dimensions, and is kept with its faces: its solids, their
- * polygons in cyclic order. Pull() cuts it as vtkIsotableTriangulation::PULLING does: it is coned
+ * polygons in cyclic order. Pull() cuts it as FacetTriangulation::PULLING does: it is coned
  * from its first point over its solids without it, each of which is coned from its first point over
  * its polygons without it, each of which is a fan from its first point.
  *
- * Slots are those of vtkIsotableOrder.
+ * Slots are those of SlotOrder.
  */
-class INTERLUMEISOTABLES_EXPORT vtkIsotablePieces
+class CasePieces
 {
 public:
   using Slot = std::uint8_t;
@@ -40,7 +42,7 @@ public:
 
   /// Collects the pieces of the patch of a lifted cell with that many vertices and edges before it
   /// was lifted, and coordinates from -32 to 32.
-  vtkIsotablePieces(const vtkIsotablePatch& patch, int numberOfVertices, int numberOfEdges);
+  CasePieces(const CasePatch& patch, int numberOfVertices, int numberOfEdges);
 
   /// Returns the slots in use, increasing.
   const std::vector<Slot>& GetSlots() const { return this->Slots; }
@@ -50,7 +52,7 @@ public:
    * in use; ranks of different names must be distinct. Slots of one name are one point: they are
    * made one before anything is cut, so that a piece without hypervolume leaves less; a visited
    * simplex may still have a name twice. Simplices have the orientation of the patch (see
-   * vtkIsotablePatch::IsPositive), or the opposite one if \a reverse.
+   * CasePatch::IsPositive), or the opposite one if \a reverse.
    */
   template <typename Visitor>
   void Pull(const Label* labels, bool reverse, Visitor&& visit) const
@@ -214,5 +216,7 @@ private:
   std::vector<std::uint32_t> Polygons;
   std::vector<Slot> Points;
 };
+
+}
 
 #endif

@@ -1,32 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkIsotablePieces.h"
+#include "Cases/CasePieces.h"
 
-#include "vtkIsotableOrder.h"
+#include "Cases/CasePatch.h"
+#include "Cases/SlotOrder.h"
 
 #include <algorithm>
 
+namespace interlume
+{
+
 // Reads the faces of a patch off its hull.
-class vtkIsotablePieces::Builder
+class CasePieces::Builder
 {
 public:
-  Builder(
-    vtkIsotablePieces& made, const vtkIsotablePatch& patch, int numberOfVertices, int numberOfEdges)
+  Builder(CasePieces& made, const CasePatch& patch, int numberOfVertices, int numberOfEdges)
     : Made(made)
     , Hull(patch.GetHull())
   {
     for (const int edge : patch.GetEdgesOfHullPoints())
     {
       const bool isPoint = edge >= 0;
-      this->SlotOf.push_back(static_cast<Slot>(
-        isPoint ? vtkIsotableOrder::GetSlot(numberOfVertices, numberOfEdges, edge) : 0));
+      this->SlotOf.push_back(
+        static_cast<Slot>(isPoint ? SlotOrder::GetSlot(numberOfVertices, numberOfEdges, edge) : 0));
       this->Places.push_back(isPoint ? patch.GetCell().Midpoint(edge) : Point{});
     }
   }
 
-  void AddPiece(const vtkIsotablePatch::Facet& piece)
+  void AddPiece(const CasePatch::Facet& piece)
   {
     this->Neighbors.clear();
-    for (const vtkIsotableHull::Facet& facet : this->Hull.GetFacets())
+    for (const ConvexHull::Facet& facet : this->Hull.GetFacets())
     {
       if (facet.Points != piece.HullPoints && this->Hull.IsRidge(facet.Points, piece.HullPoints))
       {
@@ -34,7 +37,7 @@ public:
       }
     }
     const std::uint32_t pointsEnd = this->AddPoints(piece.HullPoints);
-    for (const vtkIsotableHull::Facet* neighbor : this->Neighbors)
+    for (const ConvexHull::Facet* neighbor : this->Neighbors)
     {
       this->AddSolid(piece, *neighbor);
     }
@@ -43,8 +46,8 @@ public:
   }
 
 private:
-  using Point = vtkIsotablePatch::Point;
-  using Normal = vtkIsotablePatch::Normal;
+  using Point = CasePatch::Point;
+  using Normal = CasePatch::Normal;
 
   // Three axes onto which a solid projects one to one, and whether that keeps its orientation.
   struct Projection
@@ -53,20 +56,20 @@ private:
     bool Keeps;
   };
 
-  std::uint32_t AddPoints(const vtkIsotablePointSet& face)
+  std::uint32_t AddPoints(const PointSet& face)
   {
     face.ForEach([this](int i) { this->Made.Points.push_back(this->SlotOf[i]); });
     return static_cast<std::uint32_t>(this->Made.Points.size());
   }
 
   // A polygon of a solid is what it has in common with another solid.
-  void AddSolid(const vtkIsotablePatch::Facet& piece, const vtkIsotableHull::Facet& neighbor)
+  void AddSolid(const CasePatch::Facet& piece, const ConvexHull::Facet& neighbor)
   {
-    const vtkIsotablePointSet solid = piece.HullPoints & neighbor.Points;
+    const PointSet solid = piece.HullPoints & neighbor.Points;
     this->Polygons.clear();
-    for (const vtkIsotableHull::Facet* other : this->Neighbors)
+    for (const ConvexHull::Facet* other : this->Neighbors)
     {
-      const vtkIsotablePointSet shared = solid & other->Points;
+      const PointSet shared = solid & other->Points;
       if (other != &neighbor && shared.HasAtLeast(3))
       {
         this->Polygons.push_back(shared);
@@ -74,7 +77,7 @@ private:
     }
     const std::uint32_t pointsEnd = this->AddPoints(solid);
     const Projection projection = Project(piece.Outward, neighbor.Outward);
-    for (const vtkIsotablePointSet& polygon : this->Polygons)
+    for (const PointSet& polygon : this->Polygons)
     {
       this->AddPolygon(polygon, (solid - polygon).GetFirst(), projection);
     }
@@ -109,7 +112,7 @@ private:
     }
   }
 
-  void AddPolygon(const vtkIsotablePointSet& polygon, int inside, const Projection& projection)
+  void AddPolygon(const PointSet& polygon, int inside, const Projection& projection)
   {
     this->Cycle.clear();
     polygon.ForEach([this](int i) { this->Cycle.push_back(i); });
@@ -150,12 +153,12 @@ private:
   }
 
   // An edge of a polygon is what it has in common with another one of the solid.
-  void OrderPolygon(const vtkIsotablePointSet& polygon)
+  void OrderPolygon(const PointSet& polygon)
   {
     this->Sides.clear();
-    for (const vtkIsotablePointSet& other : this->Polygons)
+    for (const PointSet& other : this->Polygons)
     {
-      const vtkIsotablePointSet shared = polygon & other;
+      const PointSet shared = polygon & other;
       if (other != polygon && shared.HasAtLeast(2))
       {
         this->Sides.push_back(shared);
@@ -166,7 +169,7 @@ private:
     {
       i = at;
       const auto side = std::find_if(this->Sides.begin(), this->Sides.end(),
-        [at](const vtkIsotablePointSet& set) { return set.Contains(at); });
+        [at](const PointSet& set) { return set.Contains(at); });
       side->Remove(at);
       at = side->GetFirst();
       *side = this->Sides.back();
@@ -174,27 +177,26 @@ private:
     }
   }
 
-  vtkIsotablePieces& Made;
-  const vtkIsotableHull& Hull;
+  CasePieces& Made;
+  const ConvexHull& Hull;
   /// The slot of each hull point.
   std::vector<Slot> SlotOf;
   std::vector<Point> Places;
   /// The facets of the hull that meet a piece in its solids.
-  std::vector<const vtkIsotableHull::Facet*> Neighbors;
-  std::vector<vtkIsotablePointSet> Polygons;
-  std::vector<vtkIsotablePointSet> Sides;
+  std::vector<const ConvexHull::Facet*> Neighbors;
+  std::vector<PointSet> Polygons;
+  std::vector<PointSet> Sides;
   std::vector<int> Cycle;
 };
 
-vtkIsotablePieces::vtkIsotablePieces(
-  const vtkIsotablePatch& patch, int numberOfVertices, int numberOfEdges)
+CasePieces::CasePieces(const CasePatch& patch, int numberOfVertices, int numberOfEdges)
 {
   Builder builder(*this, patch, numberOfVertices, numberOfEdges);
-  for (const vtkIsotablePatch::Facet& facet : patch.GetFacets())
+  for (const CasePatch::Facet& facet : patch.GetFacets())
   {
     builder.AddPiece(facet);
   }
-  vtkIsotablePointSet used;
+  PointSet used;
   for (const Slot slot : this->Points)
   {
     used.Insert(slot);
@@ -207,9 +209,11 @@ vtkIsotablePieces::vtkIsotablePieces(
   this->Points.shrink_to_fit();
 }
 
-std::size_t vtkIsotablePieces::GetBytes() const
+std::size_t CasePieces::GetBytes() const
 {
   return sizeof(*this) + this->Slots.capacity() + this->Points.capacity() +
     sizeof(Piece) * this->Pieces.capacity() + sizeof(Solid) * this->Solids.capacity() +
     sizeof(std::uint32_t) * this->Polygons.capacity();
+}
+
 }

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkIsotablePatch.h"
+#include "Cases/CasePatch.h"
 
-#include "Combinatorics/IsotableAlgebra.h"
+#include "Hulls/IntegerAlgebra.h"
 
 #include <algorithm>
 #include <array>
 
+namespace interlume
+{
+
 namespace
 {
-std::vector<vtkIsotablePatch::Point> CollectHullPoints(
-  const vtkIsotablePolytope& cell, const std::vector<bool>& positive, std::vector<int>& edgeOfPoint)
+std::vector<CasePatch::Point> CollectHullPoints(
+  const Polytope& cell, const std::vector<bool>& positive, std::vector<int>& edgeOfPoint)
 {
-  std::vector<vtkIsotablePatch::Point> points;
+  std::vector<CasePatch::Point> points;
   for (std::size_t i = 0; i < cell.Vertices.size(); ++i)
   {
     if (positive[i])
@@ -32,12 +35,26 @@ std::vector<vtkIsotablePatch::Point> CollectHullPoints(
 }
 }
 
-vtkIsotablePatch::vtkIsotablePatch(
-  const vtkIsotablePolytope& cell, const std::vector<bool>& positive)
+std::vector<bool> CasePatch::GetSigns(int numberOfVertices, bool isInterval, std::uint32_t key)
+{
+  const std::uint32_t base = isInterval ? 3 : 2;
+  std::vector<bool> positive(isInterval ? 2 * numberOfVertices : numberOfVertices);
+  for (int v = 0; v < numberOfVertices; ++v, key /= base)
+  {
+    positive[v] = key % base >= 1;
+    if (isInterval)
+    {
+      positive[v + numberOfVertices] = key % base == 2;
+    }
+  }
+  return positive;
+}
+
+CasePatch::CasePatch(const Polytope& cell, const std::vector<bool>& positive)
   : Cell(cell)
   , Hull(cell.Dimension, CollectHullPoints(cell, positive, EdgeOfPoint))
 {
-  for (const vtkIsotableHull::Facet& hullFacet : this->Hull.GetFacets())
+  for (const ConvexHull::Facet& hullFacet : this->Hull.GetFacets())
   {
     Facet facet{ hullFacet.Points, this->GetEdges(hullFacet.Points), hullFacet.Outward };
     if (facet.Points.front() >= 0)
@@ -47,7 +64,7 @@ vtkIsotablePatch::vtkIsotablePatch(
   }
 }
 
-vtkIsotablePatch::PointList vtkIsotablePatch::GetEdges(const vtkIsotablePointSet& face) const
+CasePatch::PointList CasePatch::GetEdges(const PointSet& face) const
 {
   PointList edges;
   edges.reserve(face.Count());
@@ -55,16 +72,16 @@ vtkIsotablePatch::PointList vtkIsotablePatch::GetEdges(const vtkIsotablePointSet
   return edges;
 }
 
-std::vector<vtkIsotablePointSet> vtkIsotablePatch::GetFacesOf(const vtkIsotablePointSet& face) const
+std::vector<PointSet> CasePatch::GetFacesOf(const PointSet& face) const
 {
   return this->Hull.FacetsOf(face);
 }
 
-bool vtkIsotablePatch::IsPositive(const Facet& facet, const PointList& simplex) const
+bool CasePatch::IsPositive(const Facet& facet, const PointList& simplex) const
 {
-  using namespace interlume::IsotableAlgebra;
+  using namespace IntegerAlgebra;
   const int dimension = this->Cell.Dimension;
-  interlume::IsotableAlgebra::Normal rows[MaximumDimension];
+  IntegerAlgebra::Normal rows[MaximumDimension];
   int columns[MaximumDimension];
   const Point origin = this->Cell.Midpoint(simplex[0]);
   for (int i = 1; i < dimension; ++i)
@@ -76,11 +93,11 @@ bool vtkIsotablePatch::IsPositive(const Facet& facet, const PointList& simplex) 
   return Determinant(rows, columns, dimension) > 0;
 }
 
-vtkIsotablePatch::PointList vtkIsotablePatch::ChainPolygon(const vtkIsotablePointSet& polygon) const
+CasePatch::PointList CasePatch::ChainPolygon(const PointSet& polygon) const
 {
   std::vector<std::array<int, 2>> sides;
   sides.reserve(polygon.Count());
-  for (vtkIsotablePointSet side : this->GetFacesOf(polygon))
+  for (PointSet side : this->GetFacesOf(polygon))
   {
     const int first = side.GetFirst();
     side.Remove(first);
@@ -101,7 +118,7 @@ vtkIsotablePatch::PointList vtkIsotablePatch::ChainPolygon(const vtkIsotablePoin
   return chain;
 }
 
-vtkIsotablePatch::PointList vtkIsotablePatch::GetPolygon(const Facet& facet) const
+CasePatch::PointList CasePatch::GetPolygon(const Facet& facet) const
 {
   PointList polygon = this->ChainPolygon(facet.HullPoints);
   if (!this->IsPositive(facet, { polygon[0], polygon[1], polygon[2] }))
@@ -111,11 +128,11 @@ vtkIsotablePatch::PointList vtkIsotablePatch::GetPolygon(const Facet& facet) con
   return polygon;
 }
 
-std::vector<vtkIsotablePatch::PointList> vtkIsotablePatch::GetFaces(const Facet& facet) const
+std::vector<CasePatch::PointList> CasePatch::GetFaces(const Facet& facet) const
 {
   std::vector<PointList> faces;
   faces.reserve(this->Hull.GetFacets().size());
-  for (const vtkIsotablePointSet& face : this->GetFacesOf(facet.HullPoints))
+  for (const PointSet& face : this->GetFacesOf(facet.HullPoints))
   {
     if (this->Cell.Dimension != 4)
     {
@@ -132,4 +149,6 @@ std::vector<vtkIsotablePatch::PointList> vtkIsotablePatch::GetFaces(const Facet&
     faces.push_back(polygon);
   }
   return faces;
+}
+
 }

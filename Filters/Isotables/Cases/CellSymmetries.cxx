@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkIsotableSymmetries.h"
+#include "Cases/CellSymmetries.h"
 
-#include "Combinatorics/IsotableAlgebra.h"
+#include "Hulls/IntegerAlgebra.h"
 
-#include "vtkIsotablePointSet.h"
+#include "Hulls/PointSet.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <numeric>
 
+namespace interlume
+{
+
 namespace
 {
-using namespace interlume::IsotableAlgebra;
-using Slot = vtkIsotableSymmetries::Slot;
+using namespace IntegerAlgebra;
+using Slot = CellSymmetries::Slot;
 using Permutation = std::vector<int>;
 
 // Finds the automorphisms of the graph of vertices and edges, by backtracking, in lexicographic
@@ -21,7 +24,7 @@ using Permutation = std::vector<int>;
 class Automorphisms
 {
 public:
-  explicit Automorphisms(const vtkIsotablePolytope& cell)
+  explicit Automorphisms(const Polytope& cell)
     : Number(static_cast<int>(cell.Vertices.size()))
     , Joined(Number)
   {
@@ -30,7 +33,7 @@ public:
       this->Joined[edge[0]].Insert(edge[1]);
       this->Joined[edge[1]].Insert(edge[0]);
     }
-    vtkIsotablePointSet all;
+    PointSet all;
     for (int v = 0; v < this->Number; ++v)
     {
       all.Insert(v);
@@ -42,7 +45,7 @@ public:
 
 private:
   // Extends the images by one vertex; \a free are the vertices that are no images yet.
-  void Extend(const vtkIsotablePointSet& free)
+  void Extend(const PointSet& free)
   {
     const int vertex = static_cast<int>(this->Images.size());
     if (vertex == this->Number)
@@ -50,16 +53,16 @@ private:
       this->Found.push_back(this->Images);
       return;
     }
-    vtkIsotablePointSet fitting = free;
+    PointSet fitting = free;
     for (int other = 0; other < vertex; ++other)
     {
-      const vtkIsotablePointSet& joined = this->Joined[this->Images[other]];
+      const PointSet& joined = this->Joined[this->Images[other]];
       fitting = this->Joined[vertex].Contains(other) ? fitting & joined : fitting - joined;
     }
     fitting.ForEach(
       [&](int image)
       {
-        vtkIsotablePointSet rest = free;
+        PointSet rest = free;
         rest.Remove(image);
         this->Images.push_back(image);
         this->Extend(rest);
@@ -68,7 +71,7 @@ private:
   }
 
   int Number;
-  std::vector<vtkIsotablePointSet> Joined;
+  std::vector<PointSet> Joined;
   Permutation Images;
 };
 
@@ -76,7 +79,7 @@ private:
 class Frame
 {
 public:
-  explicit Frame(const vtkIsotablePolytope& cell)
+  explicit Frame(const Polytope& cell)
     : Cell(cell)
   {
     Span span(cell.Dimension);
@@ -143,7 +146,7 @@ private:
     return Determinant(rows, columns, this->Cell.Dimension);
   }
 
-  const vtkIsotablePolytope& Cell;
+  const Polytope& Cell;
   std::vector<int> Base;
   std::int64_t Volume = 0;
   std::vector<std::vector<std::int64_t>> Weights;
@@ -153,7 +156,7 @@ private:
 class EdgeTable
 {
 public:
-  explicit EdgeTable(const vtkIsotablePolytope& cell)
+  explicit EdgeTable(const Polytope& cell)
     : Number(static_cast<int>(cell.Vertices.size()))
     , Edges(Number * Number)
   {
@@ -173,8 +176,7 @@ private:
 };
 
 // Returns the slots that vertices, lower and upper crossings are moved to.
-std::vector<Slot> MoveSlots(
-  const vtkIsotablePolytope& cell, const EdgeTable& edges, const Permutation& images)
+std::vector<Slot> MoveSlots(const Polytope& cell, const EdgeTable& edges, const Permutation& images)
 {
   const std::size_t m = cell.Edges.size();
   std::vector<Slot> slots(images.begin(), images.end());
@@ -189,7 +191,7 @@ std::vector<Slot> MoveSlots(
 }
 }
 
-vtkIsotableSymmetries::vtkIsotableSymmetries(const vtkIsotablePolytope& cell)
+CellSymmetries::CellSymmetries(const Polytope& cell)
 {
   const Frame frame(cell);
   const EdgeTable edges(cell);
@@ -203,7 +205,7 @@ vtkIsotableSymmetries::vtkIsotableSymmetries(const vtkIsotablePolytope& cell)
   this->FillMovedKeys(static_cast<int>(cell.Vertices.size()));
 }
 
-void vtkIsotableSymmetries::FillMovedKeys(int numberOfVertices)
+void CellSymmetries::FillMovedKeys(int numberOfVertices)
 {
   const std::size_t number = this->Symmetries.size();
   this->NumberOfGroups = (numberOfVertices + GroupSize - 1) / GroupSize;
@@ -237,7 +239,7 @@ void vtkIsotableSymmetries::FillMovedKeys(int numberOfVertices)
   }
 }
 
-vtkIsotableSymmetries::Origin vtkIsotableSymmetries::FindOrigin(std::uint32_t key) const
+CellSymmetries::Origin CellSymmetries::FindOrigin(std::uint32_t key) const
 {
   const std::size_t number = this->Symmetries.size();
   std::vector<std::uint32_t> moved(number, 0);
@@ -258,4 +260,6 @@ vtkIsotableSymmetries::Origin vtkIsotableSymmetries::FindOrigin(std::uint32_t ke
   }
   const auto first = std::find(moved.begin(), moved.end(), smallest);
   return { smallest, static_cast<int>(first - moved.begin()) };
+}
+
 }
