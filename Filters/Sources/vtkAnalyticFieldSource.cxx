@@ -5,9 +5,15 @@
 #include "Common/NamedValue.h"
 #include "Common/Vectors.h"
 #include "Sampling/ClampedValue.h"
+#include "Sampling/FieldSampler.h"
 #include "Vortices/VortexTubes.h"
 
+#include "vtkDataObject.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 vtkStandardNewMacro(vtkAnalyticFieldSource);
 
@@ -39,7 +45,7 @@ void vtkAnalyticFieldSource::SetNumber(double& member, double value)
   interlume::ClampedValue::Set(this, member, value, -Limit, Limit);
 }
 
-vtkFieldSampler::Field vtkAnalyticFieldSource::GetFieldAtTime(double t) const
+interlume::FieldSampler::Field vtkAnalyticFieldSource::GetFieldAtTime(double t) const
 {
   switch (this->Field)
   {
@@ -58,9 +64,78 @@ vtkFieldSampler::Field vtkAnalyticFieldSource::GetFieldAtTime(double t) const
   }
 }
 
+void vtkAnalyticFieldSource::SetTimeRange(double first, double last)
+{
+  const std::string error =
+    interlume::FieldSampler::SetTimeRange(this->TimeRange, first, last, this);
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+  }
+}
+
+void vtkAnalyticFieldSource::SetOutputScalarType(int type)
+{
+  interlume::FieldSampler::SetScalarType(this->OutputScalarType, type, this);
+}
+
+void vtkAnalyticFieldSource::SetArrayName(const char* name)
+{
+  interlume::FieldSampler::SetArrayName(this->ArrayName, name, "f", this);
+}
+
+interlume::FieldSampler vtkAnalyticFieldSource::GetSampler() const
+{
+  return { this->NumberOfTimeSteps, { { this->TimeRange[0], this->TimeRange[1] } },
+    this->OutputScalarType, this->ArrayName.c_str() };
+}
+
+int vtkAnalyticFieldSource::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->Superclass::RequestInformation(request, inputs, outputs);
+  this->GetSampler().Announce(outputs->GetInformationObject(0), this->GetWholeExtent());
+  return 1;
+}
+
+int vtkAnalyticFieldSource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkInformation* info = outputs->GetInformationObject(0);
+  vtkImageData* image = vtkImageData::GetData(info);
+  const interlume::FieldSampler sampler = this->GetSampler();
+  double time = 0.0;
+  this->SetReport({});
+  const std::string error = sampler.FindTime(info, time);
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+    return 1;
+  }
+  double origin[3];
+  double spacing[3];
+  this->GetLattice(origin, spacing);
+  this->Place(image, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
+  const auto positions = [&origin, &spacing](const int ijk[3], vtkIdType, double x[3])
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      x[axis] = origin[axis] + ijk[axis] * spacing[axis];
+    }
+  };
+  if (!sampler.Sample(image, image->GetExtent(), time, this->GetFieldAtTime(time), positions, this))
+  {
+    image->Initialize();
+    return 1;
+  }
+  this->SetReport(vtkSourceReport::Of(image, image->GetNumberOfPoints(), time));
+  return 1;
+}
+
 void vtkAnalyticFieldSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  this->GetSampler().Print(os, indent);
   interlume::NamedValue::Print(os, indent,
     { { "Field", GetFieldName(this->Field) }, { "Constant", this->Constant },
       { "Gradient", this->Gradient }, { "Rate", this->Rate }, { "Center", this->Center },

@@ -3,7 +3,15 @@
 #define vtkAnalyticFieldSource_h
 
 #include "InterlumeSourcesModule.h" // for the export macro
-#include "vtkTemporalImageSource.h"
+#include "vtkBoundedImageSource.h"
+
+#include <functional> // for fields
+#include <string>     // for the array's name
+
+namespace interlume
+{
+struct FieldSampler;
+}
 
 /**
  * @class   vtkAnalyticFieldSource
@@ -31,13 +39,19 @@
  * - GYROID: f = sin X cos Y + sin Y cos Z + sin Z cos X, (X,Y,Z) = 2 pi (x - Center - Velocity t):
  *   period 1 in each direction, half of the space has f <= 0.
  *
+ * The output has one point array, the active scalars, and the time in DATA_TIME_STEP. The field is
+ * evaluated at the requested time, whether it is one of the time steps, between them or outside
+ * their range; without one, at the first time step.
+ *
+ * Errors (vtkErrorMacro, empty output): a time that is not finite.
+ *
  * @sa vtkTaperedCylinderSource vtkDeltaWingSource
  */
-class INTERLUMESOURCES_EXPORT vtkAnalyticFieldSource : public vtkTemporalImageSource
+class INTERLUMESOURCES_EXPORT vtkAnalyticFieldSource : public vtkBoundedImageSource
 {
 public:
   static vtkAnalyticFieldSource* New();
-  vtkTypeMacro(vtkAnalyticFieldSource, vtkTemporalImageSource);
+  vtkTypeMacro(vtkAnalyticFieldSource, vtkBoundedImageSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Fields
@@ -102,19 +116,67 @@ public:
   vtkGetMacro(Growth, double);
   ///@}
 
+  /**
+   * Returns the field at one point and time.
+   */
+  double Evaluate(const double x[3], double t) const { return this->GetFieldAtTime(t)(x); }
+
+  ///@{
+  /**
+   * The number of time steps, evenly spaced over the time range. One step is at its start, and
+   * there is one if the range has no length. Default 3. Valid: 1 to 100000; clamped.
+   */
+  vtkSetClampMacro(NumberOfTimeSteps, int, 1, 100000);
+  int GetNumberOfTimeSteps() const { return this->NumberOfTimeSteps; }
+  ///@}
+
+  ///@{
+  /**
+   * The times of the first and the last time step, in units of time. Default 0, 2. Valid: finite,
+   * else an error; put in order.
+   */
+  void SetTimeRange(double first, double last);
+  const double* GetTimeRange() const VTK_SIZEHINT(2) { return this->TimeRange; }
+  ///@}
+
+  ///@{
+  /**
+   * The type of the array: VTK_FLOAT or VTK_DOUBLE; any other type becomes VTK_FLOAT. Default
+   * VTK_FLOAT.
+   */
+  void SetOutputScalarType(int type);
+  int GetOutputScalarType() const { return this->OutputScalarType; }
+  ///@}
+
+  ///@{
+  /**
+   * The name of the point array. Default "f", which a null or empty name sets too.
+   */
+  void SetArrayName(const char* name);
+  const char* GetArrayName() const { return this->ArrayName.c_str(); }
+  ///@}
+
 protected:
   vtkAnalyticFieldSource() = default;
   ~vtkAnalyticFieldSource() override = default;
 
-  vtkFieldSampler::Field GetFieldAtTime(double t) const override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkAnalyticFieldSource(const vtkAnalyticFieldSource&) = delete;
   void operator=(const vtkAnalyticFieldSource&) = delete;
 
+  /// Returns the field at time \a t, for many positions. Several threads call it at once.
+  std::function<double(const double x[3])> GetFieldAtTime(double t) const;
+  interlume::FieldSampler GetSampler() const;
   void SetNumber(double& member, double value);
   void SetVector(double (&member)[3], double x, double y, double z);
 
+  int NumberOfTimeSteps = 3;
+  double TimeRange[2] = { 0.0, 2.0 };
+  int OutputScalarType = VTK_FLOAT;
+  std::string ArrayName = "f";
   int Field = VORTEX;
   double Constant = 0.0;
   double Gradient[3] = { 1.0, 0.0, 0.0 };

@@ -13,7 +13,7 @@
  * Each kind of source makes any part of the whole extent alone, with the same values as in the
  * whole.
  *
- * @sa vtkTemporalImageSource vtkConstructiveVolume vtkTurbulenceSource
+ * @sa vtkAnalyticFieldSource vtkConstructiveVolume vtkTurbulenceSource
  */
 class INTERLUMESOURCES_EXPORT vtkBoundedImageSource : public vtkImageAlgorithm
 {

@@ -27,7 +27,7 @@ class vtkSpatialObject;
  *
  * Errors (vtkErrorMacro, empty output): no root; what is wrong with a part of it.
  *
- * @sa vtkSpatialObject vtkConstructiveModels
+ * @sa vtkSpatialObject vtkConstructiveModelSource
  */
 class INTERLUMESOURCES_EXPORT vtkConstructiveVolume : public vtkBoundedImageSource
 {

@@ -3,7 +3,7 @@
 
 #include "Common/NamedValue.h"
 #include "Sampling/ClampedValue.h"
-#include "Vortices/BreakdownVortex.h"
+#include "Vortices/BentAxis.h"
 
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -11,6 +11,50 @@
 #include <cmath>
 
 vtkStandardNewMacro(vtkDeltaWingSource);
+
+namespace
+{
+// The constants of the formula. Lengths are in half spans, those along the wing in its length.
+constexpr double AxisAcross = 0.62;
+constexpr double AxisAbove = 0.42;
+constexpr double CoreRadius = 0.12;
+constexpr double CoreSwelling = 0.4;
+constexpr double CoreFading = 0.25;
+constexpr double SpiralRadius = 0.14;
+constexpr double SpiralPitch = 0.34;
+constexpr double BreakdownWidth = 0.06;
+
+// A leading-edge vortex that swells along a delta wing and breaks down into a spiral, at one time.
+struct BreakdownVortex
+{
+  double Side;      // 1 or -1: the sign of y
+  double Slope;     // half span per unit of length along the wing
+  double Breakdown; // x of the breakdown
+  double Phase;     // of the spiral at the breakdown, in radians
+
+  double operator()(const double x[3]) const
+  {
+    const double halfSpan = this->Slope * x[0];
+    const double beyond = x[0] - this->Breakdown;
+    // The step is 0 upstream of the breakdown, 1 downstream; its derivative follows.
+    const double tanh = std::tanh(beyond / BreakdownWidth);
+    const double broken = 0.5 * (1.0 + tanh);
+    const double breaking = 0.5 * (1.0 - tanh * tanh) / BreakdownWidth;
+    const double turn = 2.0 * vtkMath::Pi() / SpiralPitch;
+    const double angle = turn * beyond - this->Phase;
+    const double radius = SpiralRadius * halfSpan * broken;
+    const double radiusSlope = SpiralRadius * (this->Slope * broken + halfSpan * breaking);
+    const double offset[2] = { this->Side * x[1] - AxisAcross * halfSpan - radius * std::cos(angle),
+      x[2] - AxisAbove * halfSpan - radius * std::sin(angle) };
+    const double slope[2] = { AxisAcross * this->Slope + radiusSlope * std::cos(angle) -
+        radius * turn * std::sin(angle),
+      AxisAbove * this->Slope + radiusSlope * std::sin(angle) + radius * turn * std::cos(angle) };
+    const double core = CoreRadius * halfSpan * (1.0 + CoreSwelling * broken);
+    return (1.0 - CoreFading * broken) *
+      std::exp(-interlume::BentAxis::SquaredDistance(offset, slope) / (core * core));
+  }
+};
+}
 
 vtkDeltaWingSource::vtkDeltaWingSource()
   : Superclass("loss", 111, 126, 51)
@@ -60,15 +104,13 @@ void vtkDeltaWingSource::GetPosition(const int ijk[3], double x[3]) const
   x[2] = 0.7 * halfSpan * way[2] * (1.0 + way[2]);
 }
 
-vtkFieldSampler::Field vtkDeltaWingSource::GetFieldAtTime(double t) const
+vtkDeltaWingSource::Field vtkDeltaWingSource::GetFieldAtTime(double t) const
 {
   const double twoPi = 2.0 * vtkMath::Pi();
   const double swing = this->BreakdownAmplitude * std::sin(twoPi * this->BreakdownFrequency * t);
   const double phase = twoPi * this->SpiralFrequency * t;
-  const interlume::BreakdownVortex right(
-    1.0, this->GetHalfSpan(), this->BreakdownPosition + swing, phase);
-  const interlume::BreakdownVortex left(
-    -1.0, this->GetHalfSpan(), this->BreakdownPosition - swing, phase);
+  const BreakdownVortex right{ 1.0, this->GetHalfSpan(), this->BreakdownPosition + swing, phase };
+  const BreakdownVortex left{ -1.0, this->GetHalfSpan(), this->BreakdownPosition - swing, phase };
   return [right, left](const double x[3]) { return right(x) + left(x); };
 }
 

@@ -84,7 +84,7 @@ protected:
   vtkDeltaWingSource();
   ~vtkDeltaWingSource() override = default;
 
-  vtkFieldSampler::Field GetFieldAtTime(double t) const override;
+  Field GetFieldAtTime(double t) const override;
 
 private:
   vtkDeltaWingSource(const vtkDeltaWingSource&) = delete;

@@ -9,7 +9,7 @@
  * @class   vtkSpatialLeaf
  * @brief   a spatial object that is not made of others: its density inside and its colour
  *
- * @sa vtkSpatialSolid vtkSpatialImage
+ * @sa vtkSpatialPrimitive vtkSpatialImage
  */
 class INTERLUMESOURCES_EXPORT vtkSpatialLeaf : public vtkSpatialObject
 {

@@ -16,7 +16,7 @@ class vtkLinearTransform;
  *
  * M. Chen and J. V. Tucker, "Constructive volume geometry", Computer Graphics Forum 19(4), 2000: a
  * spatial object is a tuple of scalar fields. Here they are the density, 0 to 1, which stands for
- * opacity, and red, green, blue, 0 to 1. Leaves are vtkSpatialPrimitive, vtkSpatialImplicit and
+ * opacity, and red, green, blue, 0 to 1. Leaves are vtkSpatialPrimitive and
  * vtkSpatialImage; vtkSpatialOperation and vtkSpatialTurbulence make objects of objects. An object
  * may be an operand of several others.
  *
@@ -27,7 +27,7 @@ class vtkLinearTransform;
  * Errors (vtkErrorMacro, density 0): a transform that is not finite or has no inverse; what the
  * derived classes name.
  *
- * @sa vtkConstructiveVolume vtkConstructiveModels
+ * @sa vtkConstructiveVolume vtkConstructiveModelSource
  */
 class INTERLUMESOURCES_EXPORT vtkSpatialObject : public vtkObject
 {

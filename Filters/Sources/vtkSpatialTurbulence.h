@@ -3,16 +3,18 @@
 #define vtkSpatialTurbulence_h
 
 #include "InterlumeSourcesModule.h" // for the export macro
-#include "vtkGradientNoise.h"
 #include "vtkSpatialObject.h"
+#include "vtkTurbulenceSource.h" // for the sums
+
+#include <vector> // for the noises
 
 /**
  * @class   vtkSpatialTurbulence
  * @brief   hypertexture: noise that displaces or changes the density of a spatial object
  *
  * K. Perlin and E. Hoffert, "Hypertexture", SIGGRAPH 1989. With d the operand's density at x, A the
- * amplitude, n(x) the chosen sum of octaves at Frequency x (vtkGradientNoise) and n1, n2, n3 three
- * such sums, with different seeds, the density is
+ * amplitude, n(x) the chosen sum of octaves at Frequency x (see vtkTurbulenceSource) and n1, n2, n3
+ * three such sums, with different seeds, the density is
  * - DISPLACEMENT: d(x + A (n1, n2, n3)), with the colour of that place;
  * - MODULATION: d (1 + A n);
  * - EROSION: 1/2 + G (d - A n - 1/2) where d > 0, with the gain G. Soft edges get fringes, and with
@@ -63,9 +65,9 @@ public:
 
   ///@{
   /**
-   * The way octaves are summed. Default TURBULENCE. Valid: see vtkGradientNoise::Sums; clamped.
+   * The way octaves are summed. Default TURBULENCE. Valid: see vtkTurbulenceSource::Sums; clamped.
    */
-  vtkSetClampMacro(Sum, int, vtkGradientNoise::NOISE, vtkGradientNoise::TURBULENCE);
+  vtkSetClampMacro(Sum, int, vtkTurbulenceSource::NOISE, vtkTurbulenceSource::TURBULENCE);
   vtkGetMacro(Sum, int);
   ///@}
 
@@ -73,7 +75,7 @@ public:
   /**
    * The number of octaves. Default 4. Valid: 1 to 16; clamped.
    */
-  vtkSetClampMacro(NumberOfOctaves, int, 1, vtkGradientNoise::MaximumNumberOfOctaves);
+  vtkSetClampMacro(NumberOfOctaves, int, 1, vtkTurbulenceSource::MaximumNumberOfOctaves);
   vtkGetMacro(NumberOfOctaves, int);
   ///@}
 
@@ -118,7 +120,7 @@ public:
 
 protected:
   vtkSpatialTurbulence();
-  ~vtkSpatialTurbulence() override = default;
+  ~vtkSpatialTurbulence() override;
 
   std::string Prepare(double bounds[6]) override;
   bool EvaluateLocally(const double (*points)[3], int number, Sample* samples) const override;
@@ -129,14 +131,14 @@ private:
 
   /// Makes one noise for each direction, all from the seed.
   void MakeNoises();
-  double GetNoise(const vtkGradientNoise& noise, const double x[3]) const;
+  double GetNoise(const interlume::GradientNoise& noise, const double x[3]) const;
   bool Displace(const double (*points)[3], int number, Sample* samples) const;
 
   vtkSmartPointer<vtkSpatialObject> Operand;
-  vtkGradientNoise Noises[3];
+  std::vector<interlume::GradientNoise> Noises;
 
   int Mode = DISPLACEMENT;
-  int Sum = vtkGradientNoise::TURBULENCE;
+  int Sum = vtkTurbulenceSource::TURBULENCE;
   int NumberOfOctaves = 4;
   double Frequency[3] = { 4.0, 4.0, 4.0 };
   double Amplitude = 0.1;

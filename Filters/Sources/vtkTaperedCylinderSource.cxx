@@ -3,18 +3,111 @@
 
 #include "Common/NamedValue.h"
 #include "Sampling/ClampedValue.h"
-#include "Vortices/VortexStreet.h"
+#include "Vortices/BentAxis.h"
 
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 vtkStandardNewMacro(vtkTaperedCylinderSource);
 
 namespace
 {
+// The constants of the formula.
+constexpr double ConvectionRatio = 0.85;
+constexpr double Deficit = 0.018;
+constexpr double Slant = 2.2;
+constexpr double CellBlend = 0.08;
+constexpr double RowOffset = 0.5;
+constexpr double CoreRadius = 0.55;
+constexpr double Spreading = 0.008;
+constexpr double FormationTime = 0.7;
+
+// Computes a smooth step from 0 to 1.
+double Step(double u)
+{
+  return 0.5 * (1.0 + std::tanh(u));
+}
+
+// Density deficit of a von Karman vortex street behind a tapered cylinder, at one time.
+struct VortexStreet
+{
+  static constexpr int NumberOfCells = 3;
+
+  std::array<double, 2> Radii; // at z = 0 and z = Height
+  double Height;
+  double OuterRadius;
+  double Speed;
+  double StrouhalNumber;
+  double Time;
+
+  // Returns the deficit at a point.
+  double operator()(const double x[3]) const;
+  // Returns the diameter of the cylinder at a height; beyond its ends, that of the end.
+  double GetDiameter(double z) const;
+  // Returns the deficit of one cell's vortices, as if the cell reached along the whole cylinder.
+  double GetDeficitOfCell(int cell, const double x[3]) const;
+};
+
+double VortexStreet::GetDiameter(double z) const
+{
+  const double way = std::max(0.0, std::min(z / this->Height, 1.0));
+  return 2.0 * ((1.0 - way) * this->Radii[0] + way * this->Radii[1]);
+}
+
+double VortexStreet::operator()(const double x[3]) const
+{
+  const double way = x[2] / this->Height;
+  double sum = 0.0;
+  for (int cell = 0; cell < NumberOfCells; ++cell)
+  {
+    const double begin =
+      cell == 0 ? 1.0 : Step((way - static_cast<double>(cell) / NumberOfCells) / CellBlend);
+    const double end = cell == NumberOfCells - 1
+      ? 0.0
+      : Step((way - static_cast<double>(cell + 1) / NumberOfCells) / CellBlend);
+    sum += (begin - end) * this->GetDeficitOfCell(cell, x);
+  }
+  return sum;
+}
+
+double VortexStreet::GetDeficitOfCell(int cell, const double x[3]) const
+{
+  const double speed = this->Speed;
+  const double middle = (cell + 0.5) / NumberOfCells;
+  const double frequency = this->StrouhalNumber * speed / this->GetDiameter(middle * this->Height);
+  const double diameter = this->GetDiameter(x[2]);
+  const double convection = ConvectionRatio * speed;
+  const double lifeTime = this->OuterRadius / convection;
+  // The half period that it is, later upwards by the slant.
+  const double halfPeriods = 2.0 * frequency * this->Time - Slant * x[2] / this->Height;
+  const double slope[2] = { -Slant / this->Height * convection / (2.0 * frequency), 0.0 };
+  double sum = 0.0;
+  const double last = std::floor(halfPeriods);
+  const int number = static_cast<int>(2.0 * frequency * lifeTime) + 1;
+  for (int i = 0; i < number; ++i)
+  {
+    const double vortex = last - i;
+    const double age = (halfPeriods - vortex) / (2.0 * frequency);
+    if (age > lifeTime)
+    {
+      break;
+    }
+    const double side = std::fmod(std::fabs(vortex), 2.0) == 0.0 ? 1.0 : -1.0;
+    const double offset[2] = { x[0] - 0.5 * diameter - convection * age,
+      x[1] - side * RowOffset * diameter };
+    const double core =
+      CoreRadius * CoreRadius * diameter * diameter + 4.0 * Spreading * speed * diameter * age;
+    const double way = age / lifeTime;
+    sum += Deficit * (1.0 - std::exp(-age * speed / (FormationTime * diameter))) *
+      (1.0 - way * way) * std::exp(-interlume::BentAxis::SquaredDistance(offset, slope) / core);
+  }
+  return sum;
+}
+
 // The clustering of points towards the wall, and towards the wake.
 constexpr double Clustering = 2.0;
 constexpr double ClusteringAround = 0.75;
@@ -72,11 +165,10 @@ void vtkTaperedCylinderSource::GetPosition(const int ijk[3], double x[3]) const
   x[2] = height * this->Height;
 }
 
-vtkFieldSampler::Field vtkTaperedCylinderSource::GetFieldAtTime(double t) const
+vtkTaperedCylinderSource::Field vtkTaperedCylinderSource::GetFieldAtTime(double t) const
 {
-  const interlume::VortexStreet street({ { { this->Radii[0], this->Radii[1] } }, this->Height,
-                                         this->GetGridRadius(), this->Speed, this->StrouhalNumber },
-    t);
+  const VortexStreet street{ { { this->Radii[0], this->Radii[1] } }, this->Height,
+    this->GetGridRadius(), this->Speed, this->StrouhalNumber, t };
   return [street](const double x[3]) { return 1.0 - street(x); };
 }
 

@@ -95,7 +95,7 @@ protected:
   vtkTaperedCylinderSource();
   ~vtkTaperedCylinderSource() override = default;
 
-  vtkFieldSampler::Field GetFieldAtTime(double t) const override;
+  Field GetFieldAtTime(double t) const override;
 
 private:
   vtkTaperedCylinderSource(const vtkTaperedCylinderSource&) = delete;

@@ -2,6 +2,7 @@
 #include "vtkTemporalGridSource.h"
 
 #include "Common/NamedValue.h"
+#include "Sampling/FieldSampler.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -21,7 +22,8 @@ constexpr int MaximumDimension = 32768;
 
 vtkTemporalGridSource::vtkTemporalGridSource(const char* arrayName, int i, int j, int k)
   : Dimensions{ i, j, k }
-  , Sampler(arrayName)
+  , DefaultArrayName(arrayName)
+  , ArrayName(arrayName)
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -42,11 +44,28 @@ void vtkTemporalGridSource::SetDimensions(int i, int j, int k)
 
 void vtkTemporalGridSource::SetTimeRange(double first, double last)
 {
-  const std::string wrong = this->Sampler.SetTimeRange(first, last, this);
-  if (!wrong.empty())
+  const std::string error =
+    interlume::FieldSampler::SetTimeRange(this->TimeRange, first, last, this);
+  if (!error.empty())
   {
-    vtkErrorMacro(<< wrong);
+    vtkErrorMacro(<< error);
   }
+}
+
+void vtkTemporalGridSource::SetOutputScalarType(int type)
+{
+  interlume::FieldSampler::SetScalarType(this->OutputScalarType, type, this);
+}
+
+void vtkTemporalGridSource::SetArrayName(const char* name)
+{
+  interlume::FieldSampler::SetArrayName(this->ArrayName, name, this->DefaultArrayName, this);
+}
+
+interlume::FieldSampler vtkTemporalGridSource::GetSampler() const
+{
+  return { this->NumberOfTimeSteps, { { this->TimeRange[0], this->TimeRange[1] } },
+    this->OutputScalarType, this->ArrayName.c_str() };
 }
 
 int vtkTemporalGridSource::RequestInformation(
@@ -54,7 +73,7 @@ int vtkTemporalGridSource::RequestInformation(
 {
   const int wholeExtent[6] = { 0, this->Dimensions[0] - 1, 0, this->Dimensions[1] - 1, 0,
     this->Dimensions[2] - 1 };
-  this->Sampler.Announce(outputs->GetInformationObject(0), wholeExtent);
+  this->GetSampler().Announce(outputs->GetInformationObject(0), wholeExtent);
   return 1;
 }
 
@@ -63,17 +82,18 @@ int vtkTemporalGridSource::RequestData(
 {
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkStructuredGrid* grid = vtkStructuredGrid::GetData(info);
+  const interlume::FieldSampler sampler = this->GetSampler();
   double time = 0.0;
   this->Report = {};
-  const std::string wrong = this->Sampler.FindTime(info, time);
-  if (!wrong.empty())
+  const std::string error = sampler.FindTime(info, time);
+  if (!error.empty())
   {
-    vtkErrorMacro(<< wrong);
+    vtkErrorMacro(<< error);
     return 1;
   }
   int* extent = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
   vtkNew<vtkPoints> points;
-  points->SetDataType(this->Sampler.GetScalarType());
+  points->SetDataType(this->OutputScalarType);
   points->SetNumberOfPoints(vtkStructuredData::GetNumberOfPoints(extent));
   grid->SetExtent(extent);
   grid->SetPoints(points);
@@ -82,7 +102,7 @@ int vtkTemporalGridSource::RequestData(
     this->GetPosition(ijk, x);
     points->SetPoint(point, x);
   };
-  if (!this->Sampler.Sample(grid, extent, time, this->GetFieldAtTime(time), positions, this))
+  if (!sampler.Sample(grid, extent, time, this->GetFieldAtTime(time), positions, this))
   {
     grid->Initialize();
     return 1;
@@ -95,7 +115,7 @@ void vtkTemporalGridSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   interlume::NamedValue::Print(os, indent, { { "Dimensions", this->Dimensions } });
-  this->Sampler.Print(os, indent);
+  this->GetSampler().Print(os, indent);
   os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

@@ -3,16 +3,27 @@
 #define vtkTemporalGridSource_h
 
 #include "InterlumeSourcesModule.h" // for the export macro
-#include "vtkFieldSampler.h"        // for the time steps and the array
 #include "vtkSourceReport.h"        // for the report
 #include "vtkStructuredGridAlgorithm.h"
+
+#include <functional> // for fields
+#include <string>     // for the array's name
+
+namespace interlume
+{
+struct FieldSampler;
+}
 
 /**
  * @class   vtkTemporalGridSource
  * @brief   a scalar field of space and time on a curvilinear grid: the part that depends on neither
  *
- * This is vtkTemporalImageSource for a grid whose points do not move: one point array, any time,
- * any part of the whole extent, the same error. Points are of the type of the array.
+ * The points of the grid do not move, and are of the type of the array. The output has one point
+ * array, the active scalars, and the time in DATA_TIME_STEP. The field is evaluated at the
+ * requested time, or without one at the first time step. Any part of the whole extent is made
+ * alone.
+ *
+ * Errors (vtkErrorMacro, empty output): a time that is not finite.
  *
  * @sa vtkTaperedCylinderSource vtkDeltaWingSource
  */
@@ -39,25 +50,25 @@ public:
   ///@}
 
   ///@{
-  /// The number of time steps and their range, as in vtkTemporalImageSource. Default 3 steps from 0
+  /// The number of time steps and their range, as in vtkAnalyticFieldSource. Default 3 steps from 0
   /// to 2.
-  void SetNumberOfTimeSteps(int number) { this->Sampler.SetNumberOfTimeSteps(number, this); }
-  int GetNumberOfTimeSteps() const { return this->Sampler.GetNumberOfTimeSteps(); }
+  vtkSetClampMacro(NumberOfTimeSteps, int, 1, 100000);
+  int GetNumberOfTimeSteps() const { return this->NumberOfTimeSteps; }
   void SetTimeRange(double first, double last);
-  const double* GetTimeRange() const VTK_SIZEHINT(2) { return this->Sampler.GetTimeRange(); }
+  const double* GetTimeRange() const VTK_SIZEHINT(2) { return this->TimeRange; }
   ///@}
 
   ///@{
   /// The type of the array and of the points: VTK_FLOAT (default) or VTK_DOUBLE.
-  void SetOutputScalarType(int type) { this->Sampler.SetScalarType(type, this); }
-  int GetOutputScalarType() const { return this->Sampler.GetScalarType(); }
+  void SetOutputScalarType(int type);
+  int GetOutputScalarType() const { return this->OutputScalarType; }
   ///@}
 
   ///@{
   /// The name of the point array. The default is the subclass's; null and an empty name stand for
   /// it.
-  void SetArrayName(const char* name) { this->Sampler.SetArrayName(name, this); }
-  const char* GetArrayName() const { return this->Sampler.GetArrayName(); }
+  void SetArrayName(const char* name);
+  const char* GetArrayName() const { return this->ArrayName.c_str(); }
   ///@}
 
   /// Returns what the last execution took.
@@ -69,8 +80,11 @@ protected:
 
   int GetDimension(int axis) const { return this->Dimensions[axis]; }
 
-  /// The field at time \a t, for many positions. It is called by several threads at once.
-  virtual vtkFieldSampler::Field GetFieldAtTime(double t) const = 0;
+  /// A scalar field of position at one time.
+  using Field = std::function<double(const double x[3])>;
+
+  /// Returns the field at time \a t, for many positions. Several threads call it at once.
+  virtual Field GetFieldAtTime(double t) const = 0;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -79,8 +93,14 @@ private:
   vtkTemporalGridSource(const vtkTemporalGridSource&) = delete;
   void operator=(const vtkTemporalGridSource&) = delete;
 
+  interlume::FieldSampler GetSampler() const;
+
   int Dimensions[3];
-  vtkFieldSampler Sampler;
+  int NumberOfTimeSteps = 3;
+  double TimeRange[2] = { 0.0, 2.0 };
+  int OutputScalarType = VTK_FLOAT;
+  const char* DefaultArrayName;
+  std::string ArrayName;
   vtkSourceReport Report;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTurbulenceSource.h"
 
+#include "Analytic/GradientNoise.h"
 #include "Common/NamedValue.h"
 #include "Sampling/ClampedValue.h"
 #include "Sampling/ExtentRows.h"
@@ -23,6 +24,12 @@ namespace
 {
 constexpr double Limit = 1e12;
 constexpr double LeastTopFraction = 1e-6;
+}
+
+const char* vtkTurbulenceSource::GetSumName(int sum)
+{
+  static const char* const names[] = { "noise", "fractal sum", "turbulence" };
+  return sum >= NOISE && sum <= TURBULENCE ? names[sum] : nullptr;
 }
 
 const char* vtkTurbulenceSource::GetFalloffName(int falloff)
@@ -90,7 +97,7 @@ double vtkTurbulenceSource::GetEnvelopeFactor(const double x[3]) const
   return std::max(0.0, 1.0 - r2);
 }
 
-double vtkTurbulenceSource::Evaluate(const vtkGradientNoise& noise, const double x[3]) const
+double vtkTurbulenceSource::Evaluate(const interlume::GradientNoise& noise, const double x[3]) const
 {
   const double envelope = this->GetEnvelopeFactor(x);
   const double scaled[3] = { this->Frequency * x[0], this->Frequency * x[1],
@@ -102,7 +109,7 @@ double vtkTurbulenceSource::Evaluate(const vtkGradientNoise& noise, const double
 
 double vtkTurbulenceSource::Evaluate(const double x[3]) const
 {
-  return this->Evaluate(vtkGradientNoise(this->Seed), x);
+  return this->Evaluate(interlume::GradientNoise(this->Seed), x);
 }
 
 int vtkTurbulenceSource::RequestInformation(
@@ -123,7 +130,7 @@ int vtkTurbulenceSource::RequestData(
   vtkNew<vtkFloatArray> values;
   values->SetName("Turbulence");
   values->SetNumberOfTuples(image->GetNumberOfPoints());
-  const vtkGradientNoise noise(this->Seed);
+  const interlume::GradientNoise noise(this->Seed);
   const auto makeValue = [&](const double x[3], vtkIdType point)
   { values->SetValue(point, static_cast<float>(this->Evaluate(noise, x))); };
   if (!interlume::ExtentRows::RunPoints(image, this, makeValue))
@@ -141,9 +148,9 @@ void vtkTurbulenceSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   interlume::NamedValue::Print(os, indent,
-    { { "Sum", vtkGradientNoise::GetSumName(this->Sum) },
-      { "NumberOfOctaves", this->NumberOfOctaves }, { "Frequency", this->Frequency },
-      { "Amplitude", this->Amplitude }, { "Offset", this->Offset }, { "Seed", this->Seed },
+    { { "Sum", GetSumName(this->Sum) }, { "NumberOfOctaves", this->NumberOfOctaves },
+      { "Frequency", this->Frequency }, { "Amplitude", this->Amplitude },
+      { "Offset", this->Offset }, { "Seed", this->Seed },
       { "Falloff", GetFalloffName(this->Falloff) }, { "VerticalAxis", this->VerticalAxis },
       { "TopFraction", this->TopFraction }, { "Envelope", GetEnvelopeName(this->Envelope) } });
 }

@@ -4,17 +4,25 @@
 
 #include "InterlumeSourcesModule.h" // for the export macro
 #include "vtkBoundedImageSource.h"
-#include "vtkGradientNoise.h" // for the sums
+
+namespace interlume
+{
+class GradientNoise;
+}
 
 /**
  * @class   vtkTurbulenceSource
  * @brief   noise and turbulence on an image: smoke, haze, clouds
  *
  * The output has one point array, the active scalars: `Turbulence`, float. With n(x) the chosen sum
- * of octaves at Frequency x (vtkGradientNoise; TURBULENCE is the sum of |noise(2^i x)| / 2^i: C.
- * Zhang, dissertation, Ohio State 2006, section 2.3.2), the value at x is
+ * of octaves at Frequency x (see Sums), the value at x is
  *   E(x) F(h) (Offset + Amplitude n(x)),
  * or for the envelope CLOUD max(0, E(x) + F(h) (Offset + Amplitude n(x)) - 1).
+ *
+ * The noise is K. Perlin's improved gradient noise ("Improving noise", SIGGRAPH 2002): 0 at the
+ * points of the unit lattice, with continuous second derivatives, mean 0, values between about -1
+ * and 1 and period 256 in each direction. Seed 0 is the published permutation; another seed
+ * shuffles it in the same way with every compiler and library.
  *
  * The falloff F depends on the height h, 0 at the lower and 1 at the upper bound of VerticalAxis,
  * with t = TopFraction:
@@ -30,7 +38,7 @@
  * The bytes do not depend on the number of threads. Any part of the whole extent is made alone,
  * with the same values as in the whole.
  *
- * @sa vtkGradientNoise vtkSpatialTurbulence
+ * @sa vtkSpatialTurbulence
  */
 class INTERLUMESOURCES_EXPORT vtkTurbulenceSource : public vtkBoundedImageSource
 {
@@ -38,6 +46,17 @@ public:
   static vtkTurbulenceSource* New();
   vtkTypeMacro(vtkTurbulenceSource, vtkBoundedImageSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The ways to sum octaves: the noise alone, the sum of noise(2^i x) / 2^i, or of its absolute
+  /// value (C. Zhang, dissertation, Ohio State 2006, section 2.3.2).
+  enum Sums
+  {
+    NOISE = 0,
+    FRACTAL_SUM = 1,
+    TURBULENCE = 2
+  };
+
+  static constexpr int MaximumNumberOfOctaves = 16;
 
   enum Falloffs
   {
@@ -56,16 +75,17 @@ public:
   };
 
   ///@{
-  /// Returns the name of a falloff in small letters; null for a number that is none.
+  /// Returns the name of a sum, falloff or envelope in small letters; null for any other number.
+  static const char* GetSumName(int sum);
   static const char* GetFalloffName(int falloff);
   static const char* GetEnvelopeName(int envelope);
   ///@}
 
   ///@{
   /**
-   * The way octaves are summed. Default TURBULENCE. Valid: see vtkGradientNoise::Sums; clamped.
+   * The way octaves are summed. Default TURBULENCE. Valid: see Sums; clamped.
    */
-  vtkSetClampMacro(Sum, int, vtkGradientNoise::NOISE, vtkGradientNoise::TURBULENCE);
+  vtkSetClampMacro(Sum, int, NOISE, TURBULENCE);
   vtkGetMacro(Sum, int);
   ///@}
 
@@ -73,7 +93,7 @@ public:
   /**
    * The number of octaves. Default 5. Valid: 1 to 16; clamped.
    */
-  vtkSetClampMacro(NumberOfOctaves, int, 1, vtkGradientNoise::MaximumNumberOfOctaves);
+  vtkSetClampMacro(NumberOfOctaves, int, 1, MaximumNumberOfOctaves);
   vtkGetMacro(NumberOfOctaves, int);
   ///@}
 
@@ -154,11 +174,11 @@ private:
   vtkTurbulenceSource(const vtkTurbulenceSource&) = delete;
   void operator=(const vtkTurbulenceSource&) = delete;
 
-  double Evaluate(const vtkGradientNoise& noise, const double x[3]) const;
+  double Evaluate(const interlume::GradientNoise& noise, const double x[3]) const;
   double GetFalloffFactor(const double x[3]) const;
   double GetEnvelopeFactor(const double x[3]) const;
 
-  int Sum = vtkGradientNoise::TURBULENCE;
+  int Sum = TURBULENCE;
   int NumberOfOctaves = 5;
   double Frequency = 2.0;
   double Amplitude = 1.0;

@@ -19,7 +19,6 @@
 #include "vtkShadowedSliceMapper.h"
 #include "vtkSimplexTimeSlice.h"
 #include "vtkSpatialImage.h"
-#include "vtkSpatialImplicit.h"
 #include "vtkSpatialOperation.h"
 #include "vtkSpatialPrimitive.h"
 #include "vtkSpatialTurbulence.h"
@@ -92,7 +91,6 @@ std::vector<vtkSmartPointer<vtkObject>> MakeAll()
     Make<vtkShadowedSliceMapper>(),
     Make<vtkSimplexTimeSlice>(),
     Make<vtkSpatialImage>(),
-    Make<vtkSpatialImplicit>(),
     Make<vtkSpatialOperation>(),
     Make<vtkSpatialPrimitive>(),
     Make<vtkSpatialTurbulence>(),

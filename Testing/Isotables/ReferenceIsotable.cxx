@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-<<<<<<<< HEAD:Testing/Support/Intervals/ReferenceIsotable.cxx
-#include "Support/Intervals/ReferenceIsotable.h"
-========
 #include "Isotables/ReferenceIsotable.h"
->>>>>>>> 93876720 (Install one class of case tables):Testing/Isotables/ReferenceIsotable.cxx
 
 #include "Cases/CasePatch.h"
 #include "Benchmarks/Tables/FacetTriangulation.h"

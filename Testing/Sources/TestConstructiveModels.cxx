@@ -5,7 +5,6 @@
 #include "Support/Checks/ReferenceProgress.h"
 
 #include "vtkConstructiveModelSource.h"
-#include "vtkConstructiveModels.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -25,8 +24,8 @@ using namespace reference;
 const double Pi = std::acos(-1.0);
 
 // As the header tells them.
-const double Boxes[vtkConstructiveModels::NUMBER_OF_MODELS][6] = { { -0.5, 0.5, -0.5, 0.5, -0.5,
-                                                                     0.5 },
+const double Boxes[vtkConstructiveModelSource::NUMBER_OF_MODELS][6] = { { -0.5, 0.5, -0.5, 0.5,
+                                                                          -0.5, 0.5 },
   { -0.25, 0.25, -0.25, 0.25, 0.0, 1.23 }, { -0.98, 0.98, -0.98, 0.98, -0.31, 0.31 },
   { -0.5, 0.68, -0.6, 0.5, -0.5, 0.78 }, { -0.75, 0.75, -0.75, 0.75, -0.75, 0.75 },
   { -0.55, 0.55, -0.62, 0.4, 0.0, 1.32 }, { -1.05, 1.0, -1.0, 1.05, -0.05, 1.5 },
@@ -34,7 +33,8 @@ const double Boxes[vtkConstructiveModels::NUMBER_OF_MODELS][6] = { { -0.5, 0.5, 
 
 bool IsBoundTight(int model)
 {
-  return model != vtkConstructiveModels::RINGS && model != vtkConstructiveModels::TEDDY_BEAR;
+  return model != vtkConstructiveModelSource::RINGS &&
+    model != vtkConstructiveModelSource::TEDDY_BEAR;
 }
 
 // All density of a sampled model is inside its box, and reaches close to each side where the box is
@@ -45,7 +45,7 @@ double CheckBox(int model, Check& check)
   source->SetModel(model);
   source->SetResolution(100);
   // Noise takes its time, and no volume of it is known.
-  source->SetNumberOfSubsamples(model == vtkConstructiveModels::HYPERTEXTURE_SPHERE ? 1 : 2);
+  source->SetNumberOfSubsamples(model == vtkConstructiveModelSource::HYPERTEXTURE_SPHERE ? 1 : 2);
   source->Update();
   vtkImageData* image = source->GetOutput();
   vtkDataArray* values = image->GetPointData()->GetScalars();
@@ -89,13 +89,13 @@ void CheckBoxes(Check& check)
       (0.25 * (std::pow(0.5, 3) - std::pow(0.2, 3)) / 3.0 -
         (std::pow(0.5, 5) - std::pow(0.2, 5)) / 5.0) /
         (0.25 - 0.04));
-  const double volumes[vtkConstructiveModels::NUMBER_OF_MODELS] = { fuzzy, 0.0,
+  const double volumes[vtkConstructiveModelSource::NUMBER_OF_MODELS] = { fuzzy, 0.0,
     2.0 * Pi * Pi * (0.65 * 0.0036 + 6.0 * 0.26 * 0.0025),
     4.0 / 3.0 * Pi * (std::pow(0.5, 3) + std::pow(0.28, 3)) - shared, 0.0, 0.0, 0.0, 0.0, 0.0 };
   std::set<std::string> names;
-  for (int model = 0; model < vtkConstructiveModels::NUMBER_OF_MODELS; ++model)
+  for (int model = 0; model < vtkConstructiveModelSource::NUMBER_OF_MODELS; ++model)
   {
-    const char* name = vtkConstructiveModels::GetModelName(model);
+    const char* name = vtkConstructiveModelSource::GetModelName(model);
     check.SetContext(name);
     names.insert(name);
     const double volume = CheckBox(model, check);
@@ -105,9 +105,9 @@ void CheckBoxes(Check& check)
       check.Near(volume, volumes[model], 0.02, "volume");
     }
   }
-  check.Equal(names.size(), vtkConstructiveModels::NUMBER_OF_MODELS, "names that differ");
-  check.That(!vtkConstructiveModels::GetModelName(-1) && !vtkConstructiveModels::Make(9) &&
-      !vtkConstructiveModels::Make(-1),
+  check.Equal(names.size(), vtkConstructiveModelSource::NUMBER_OF_MODELS, "names that differ");
+  check.That(!vtkConstructiveModelSource::GetModelName(-1) &&
+      !vtkConstructiveModelSource::MakeModel(9) && !vtkConstructiveModelSource::MakeModel(-1),
     "numbers that are no model");
 }
 
@@ -115,21 +115,21 @@ void CheckBoxes(Check& check)
 // that size whose middle is inside.
 void CheckHundredths(Check& check)
 {
-  const std::map<int, double> volumes = { { vtkConstructiveModels::ROBOT,
+  const std::map<int, double> volumes = { { vtkConstructiveModelSource::ROBOT,
                                             std::pow(0.28, 3) + std::pow(0.5, 3) +
                                               2.0 * 0.16 * 0.2 * 0.45 },
     // Floor, two walls less what they share, window and cross.
-    { vtkConstructiveModels::ROOM,
+    { vtkConstructiveModelSource::ROOM,
       2.05 * 2.05 * 0.05 + 2.05 * 0.05 * 1.5 + 2.0 * 0.05 * 1.5 - 0.05 * 0.8 * 0.7 +
         0.05 * (0.8 * 0.04 + 0.7 * 0.04 - 0.04 * 0.04) },
-    { vtkConstructiveModels::DESK, 0.9 * 0.5 * 0.05 + 4.0 * 0.06 * 0.06 * 0.5 },
-    { vtkConstructiveModels::CHAIR,
+    { vtkConstructiveModelSource::DESK, 0.9 * 0.5 * 0.05 + 4.0 * 0.06 * 0.06 * 0.5 },
+    { vtkConstructiveModelSource::CHAIR,
       0.34 * 0.34 * 0.04 + 0.34 * 0.04 * 0.4 + 4.0 * 0.04 * 0.04 * 0.28 } };
   for (const auto& [model, volume] : volumes)
   {
-    check.SetContext(std::string("volume, ") + vtkConstructiveModels::GetModelName(model));
+    check.SetContext(std::string("volume, ") + vtkConstructiveModelSource::GetModelName(model));
     vtkNew<vtkConstructiveVolume> source;
-    source->SetRoot(vtkConstructiveModels::Make(model));
+    source->SetRoot(vtkConstructiveModelSource::MakeModel(model));
     double bounds[6];
     int dimensions[3];
     for (int axis = 0; axis < 3; ++axis)
@@ -162,38 +162,38 @@ void CheckPlaces(Check& check)
   };
   // Solid and hollow places, of which a wrong model would have some other way round.
   const Place places[] = {
-    { vtkConstructiveModels::ROBOT, { 0.0, 0.0, 1.1 }, 1.0 },
-    { vtkConstructiveModels::ROBOT, { 0.2, 0.0, 1.1 }, 0.0 },
-    { vtkConstructiveModels::ROBOT, { 0.14, 0.05, 0.2 }, 1.0 },
-    { vtkConstructiveModels::ROBOT, { 0.0, 0.0, 0.2 }, 0.0 },
-    { vtkConstructiveModels::RINGS, { 0.65, 0.0, 0.0 }, 1.0 },
-    { vtkConstructiveModels::RINGS, { 0.91, 0.0, 0.0 }, 1.0 },
-    { vtkConstructiveModels::RINGS, { 0.39, 0.0, 0.0 }, 1.0 },
-    { vtkConstructiveModels::RINGS, { 0.78, 0.0, 0.0 }, 0.0 },
-    { vtkConstructiveModels::RINGS, { 0.0, 0.0, 0.0 }, 0.0 },
-    { vtkConstructiveModels::HYPERTEXTURE_SPHERE, { 0.0, 0.0, 0.0 }, 1.0 },
-    { vtkConstructiveModels::ROOM, { 0.2, 1.02, 0.6 }, 0.0 },
-    { vtkConstructiveModels::ROOM, { 0.0, 1.02, 0.6 }, 1.0 },
-    { vtkConstructiveModels::ROOM, { 0.6, 1.02, 0.6 }, 1.0 },
-    { vtkConstructiveModels::ROOM, { 0.0, 0.0, 0.7 }, 0.0 },
-    { vtkConstructiveModels::DESK, { 0.0, 0.0, 0.52 }, 1.0 },
-    { vtkConstructiveModels::DESK, { 0.0, 0.0, 0.3 }, 0.0 },
-    { vtkConstructiveModels::DESK, { 0.43, -0.23, 0.3 }, 1.0 },
-    { vtkConstructiveModels::CHAIR, { 0.0, 0.15, 0.6 }, 1.0 },
-    { vtkConstructiveModels::CHAIR, { 0.0, -0.15, 0.6 }, 0.0 },
-    { vtkConstructiveModels::CHAIR, { -0.15, -0.15, 0.1 }, 1.0 },
+    { vtkConstructiveModelSource::ROBOT, { 0.0, 0.0, 1.1 }, 1.0 },
+    { vtkConstructiveModelSource::ROBOT, { 0.2, 0.0, 1.1 }, 0.0 },
+    { vtkConstructiveModelSource::ROBOT, { 0.14, 0.05, 0.2 }, 1.0 },
+    { vtkConstructiveModelSource::ROBOT, { 0.0, 0.0, 0.2 }, 0.0 },
+    { vtkConstructiveModelSource::RINGS, { 0.65, 0.0, 0.0 }, 1.0 },
+    { vtkConstructiveModelSource::RINGS, { 0.91, 0.0, 0.0 }, 1.0 },
+    { vtkConstructiveModelSource::RINGS, { 0.39, 0.0, 0.0 }, 1.0 },
+    { vtkConstructiveModelSource::RINGS, { 0.78, 0.0, 0.0 }, 0.0 },
+    { vtkConstructiveModelSource::RINGS, { 0.0, 0.0, 0.0 }, 0.0 },
+    { vtkConstructiveModelSource::HYPERTEXTURE_SPHERE, { 0.0, 0.0, 0.0 }, 1.0 },
+    { vtkConstructiveModelSource::ROOM, { 0.2, 1.02, 0.6 }, 0.0 },
+    { vtkConstructiveModelSource::ROOM, { 0.0, 1.02, 0.6 }, 1.0 },
+    { vtkConstructiveModelSource::ROOM, { 0.6, 1.02, 0.6 }, 1.0 },
+    { vtkConstructiveModelSource::ROOM, { 0.0, 0.0, 0.7 }, 0.0 },
+    { vtkConstructiveModelSource::DESK, { 0.0, 0.0, 0.52 }, 1.0 },
+    { vtkConstructiveModelSource::DESK, { 0.0, 0.0, 0.3 }, 0.0 },
+    { vtkConstructiveModelSource::DESK, { 0.43, -0.23, 0.3 }, 1.0 },
+    { vtkConstructiveModelSource::CHAIR, { 0.0, 0.15, 0.6 }, 1.0 },
+    { vtkConstructiveModelSource::CHAIR, { 0.0, -0.15, 0.6 }, 0.0 },
+    { vtkConstructiveModelSource::CHAIR, { -0.15, -0.15, 0.1 }, 1.0 },
   };
   for (const Place& place : places)
   {
-    check.SetContext(vtkConstructiveModels::GetModelName(place.Model));
+    check.SetContext(vtkConstructiveModelSource::GetModelName(place.Model));
     vtkSpatialObject::Sample sample;
-    vtkConstructiveModels::Make(place.Model)->Evaluate(place.X, sample);
+    vtkConstructiveModelSource::MakeModel(place.Model)->Evaluate(place.X, sample);
     check.Near(sample.Density, place.Density, 0.0,
       "density at " + std::to_string(place.X[0]) + " " + std::to_string(place.X[1]) + " " +
         std::to_string(place.X[2]));
   }
   check.SetContext("teddy bear");
-  const auto bear = vtkConstructiveModels::MakeTeddyBear();
+  const auto bear = vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::TEDDY_BEAR);
   const double eye[3] = { 0.1, -0.27, 0.98 };
   const double belly[3] = { 0.0, 0.0, 0.4 };
   vtkSpatialObject::Sample sample;
@@ -207,10 +207,10 @@ void CheckSource(Check& check)
 {
   check.SetContext("source");
   vtkNew<vtkConstructiveModelSource> source;
-  check.Equal(source->GetModel(), vtkConstructiveModels::ROBOT, "model");
+  check.Equal(source->GetModel(), vtkConstructiveModelSource::ROBOT, "model");
   check.Equal(source->GetWholeExtent()[5], 127, "points of the longest side, less one");
   source->SetModel(99);
-  check.Equal(source->GetModel(), vtkConstructiveModels::CHAIR, "clamped model");
+  check.Equal(source->GetModel(), vtkConstructiveModelSource::CHAIR, "clamped model");
   source->SetResolution(1000000);
   check.Equal(source->GetResolution(), 2048, "clamped resolution");
   source->SetResolution(40);

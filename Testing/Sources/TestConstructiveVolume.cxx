@@ -6,7 +6,7 @@
 #include "Support/Checks/ReferenceProgress.h"
 #include "Support/Meshes/ReferenceImageSource.h"
 
-#include "vtkConstructiveModels.h"
+#include "vtkConstructiveModelSource.h"
 #include "vtkConstructiveVolume.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -130,7 +130,7 @@ void CheckFuzzySphere(Check& check)
 {
   check.SetContext("equation 2.7");
   vtkNew<vtkConstructiveVolume> source;
-  source->SetRoot(vtkConstructiveModels::MakeFuzzySphere());
+  source->SetRoot(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::FUZZY_SPHERE));
   source->SetDimensions(41, 41, 41);
   source->Update();
   vtkImageData* image = source->GetOutput();

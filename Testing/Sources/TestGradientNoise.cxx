@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Values of the published implementation; zeros, period, mean, bound and smoothness of the noise;
 // sums of octaves against their formula; seeds.
+#include "Analytic/GradientNoise.h"
 #include "Support/Checks/ReferenceCheck.h"
 
-#include "vtkGradientNoise.h"
+#include "vtkTurbulenceSource.h"
 #include "vtkMinimalStandardRandomSequence.h"
 #include "vtkNew.h"
 
@@ -32,7 +33,7 @@ Vector GetRandomPoint(vtkMinimalStandardRandomSequence* random, double size)
 void CheckPublished(Check& check)
 {
   check.SetContext("published");
-  const vtkGradientNoise noise;
+  const interlume::GradientNoise noise;
   check.Near(
     noise.Evaluate(Vector{ { 3.14, 42.0, 7.0 } }.data()), 0.13691995878400012, 1e-13, "value", 1.0);
   check.Near(noise.Evaluate(Vector{ { -1.25, 0.375, 200.5 } }.data()), -0.22939785569906235, 1e-13,
@@ -50,7 +51,7 @@ void CheckLattice(Check& check)
   vtkNew<vtkMinimalStandardRandomSequence> random;
   for (int seed : { 0, 1, -5 })
   {
-    const vtkGradientNoise noise(seed);
+    const interlume::GradientNoise noise(seed);
     for (int i = 0; i < 1000; ++i)
     {
       const Vector x = GetRandomPoint(random, 600.0);
@@ -67,11 +68,13 @@ void CheckLattice(Check& check)
   for (double bad : { infinity, -infinity, std::numeric_limits<double>::quiet_NaN() })
   {
     const Vector x{ { 0.5, bad, 0.5 } };
-    check.Near(vtkGradientNoise().Evaluate(x.data()), 0.0, 0.0, "noise at a place not finite");
-    check.Near(vtkGradientNoise().Sum(x.data(), vtkGradientNoise::TURBULENCE, 16), 0.0, 0.0,
-      "sum at a place not finite");
+    check.Near(
+      interlume::GradientNoise().Evaluate(x.data()), 0.0, 0.0, "noise at a place not finite");
+    check.Near(interlume::GradientNoise().Sum(x.data(), vtkTurbulenceSource::TURBULENCE, 16), 0.0,
+      0.0, "sum at a place not finite");
   }
-  check.That(std::isfinite(vtkGradientNoise().Evaluate(Vector{ { 1e300, -1e300, 0.5 } }.data())),
+  check.That(
+    std::isfinite(interlume::GradientNoise().Evaluate(Vector{ { 1e300, -1e300, 0.5 } }.data())),
     "noise far out is finite");
 }
 
@@ -79,7 +82,7 @@ void CheckLattice(Check& check)
 void CheckSmoothness(Check& check)
 {
   check.SetContext("smoothness");
-  const vtkGradientNoise noise(7);
+  const interlume::GradientNoise noise(7);
   vtkNew<vtkMinimalStandardRandomSequence> random;
   const double h = 1e-5;
   double largest = 0.0;
@@ -108,13 +111,13 @@ void CheckSmoothness(Check& check)
     bound = std::max(bound, std::fabs(value));
   }
   check.Near(sum / number, 0.0, 1e-3, "mean", 1.0);
-  check.That(bound > 0.8 && bound <= vtkGradientNoise::LargestNoise, "the largest value");
+  check.That(bound > 0.8 && bound <= interlume::GradientNoise::LargestNoise, "the largest value");
 }
 
 void CheckSums(Check& check)
 {
   check.SetContext("sums");
-  const vtkGradientNoise noise(3);
+  const interlume::GradientNoise noise(3);
   vtkNew<vtkMinimalStandardRandomSequence> random;
   for (int i = 0; i < 500; ++i)
   {
@@ -128,15 +131,15 @@ void CheckSums(Check& check)
       fractal += noise.Evaluate(y.data()) / scale;
       turbulence += std::fabs(noise.Evaluate(y.data())) / scale;
     }
-    check.Near(noise.Sum(x.data(), vtkGradientNoise::NOISE, 6), noise.Evaluate(x.data()), 0.0,
+    check.Near(noise.Sum(x.data(), vtkTurbulenceSource::NOISE, 6), noise.Evaluate(x.data()), 0.0,
       "noise alone");
     check.Near(
-      noise.Sum(x.data(), vtkGradientNoise::FRACTAL_SUM, 6), fractal, 1e-14, "fractal sum", 1.0);
-    check.Near(
-      noise.Sum(x.data(), vtkGradientNoise::TURBULENCE, 6), turbulence, 1e-14, "turbulence", 1.0);
+      noise.Sum(x.data(), vtkTurbulenceSource::FRACTAL_SUM, 6), fractal, 1e-14, "fractal sum", 1.0);
+    check.Near(noise.Sum(x.data(), vtkTurbulenceSource::TURBULENCE, 6), turbulence, 1e-14,
+      "turbulence", 1.0);
   }
-  check.That(vtkGradientNoise::GetSumName(3) == nullptr &&
-      std::string(vtkGradientNoise::GetSumName(vtkGradientNoise::TURBULENCE)) == "turbulence",
+  check.That(vtkTurbulenceSource::GetSumName(3) == nullptr &&
+      std::string(vtkTurbulenceSource::GetSumName(vtkTurbulenceSource::TURBULENCE)) == "turbulence",
     "names");
 }
 
@@ -148,16 +151,18 @@ void CheckSeeds(Check& check)
   for (int i = 0; i < 500; ++i)
   {
     const Vector x = GetRandomPoint(random, 50.0);
-    check.Near(vtkGradientNoise(11).Evaluate(x.data()), vtkGradientNoise(11).Evaluate(x.data()),
-      0.0, "the same seed");
-    equal += vtkGradientNoise(11).Evaluate(x.data()) == vtkGradientNoise(12).Evaluate(x.data());
-    equal += vtkGradientNoise(0).Evaluate(x.data()) == vtkGradientNoise(1).Evaluate(x.data());
+    check.Near(interlume::GradientNoise(11).Evaluate(x.data()),
+      interlume::GradientNoise(11).Evaluate(x.data()), 0.0, "the same seed");
+    equal += interlume::GradientNoise(11).Evaluate(x.data()) ==
+      interlume::GradientNoise(12).Evaluate(x.data());
+    equal += interlume::GradientNoise(0).Evaluate(x.data()) ==
+      interlume::GradientNoise(1).Evaluate(x.data());
   }
   check.That(equal < 100, "other seeds, other values");
   // The same with every library.
-  check.Near(vtkGradientNoise(1).Evaluate(Vector{ { 0.25, 3.5, -7.625 } }.data()),
+  check.Near(interlume::GradientNoise(1).Evaluate(Vector{ { 0.25, 3.5, -7.625 } }.data()),
     -0.18859511613845825, 1e-13, "value", 1.0);
-  check.Near(vtkGradientNoise(-20).Evaluate(Vector{ { 100.5, 31.25, 8.75 } }.data()),
+  check.Near(interlume::GradientNoise(-20).Evaluate(Vector{ { 100.5, 31.25, 8.75 } }.data()),
     -0.023576259613037109, 1e-13, "value", 1.0);
 }
 

@@ -13,7 +13,7 @@
 #include "vtkPointData.h"
 #include "vtkQuadric.h"
 #include "vtkSpatialImage.h"
-#include "vtkSpatialImplicit.h"
+#include "vtkSpatialPrimitive.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -33,7 +33,8 @@ void CheckImplicit(Check& check)
   // x^2 + y^2 + z^2 - 1, whose values are not distances.
   vtkNew<vtkQuadric> sphere;
   sphere->SetCoefficients(1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0);
-  vtkNew<vtkSpatialImplicit> object;
+  vtkNew<vtkSpatialPrimitive> object;
+  object->SetShapeToImplicitFunction();
   Sample sample;
   const double origin[3] = { 0.0, 0.0, 0.0 };
   check.Contains(ErrorsOf(object, [&] { object->Evaluate(origin, sample); }), "no function");

@@ -100,7 +100,7 @@ double GetDensity(int shape, const Vector& p, double width)
 void CheckShapes(Check& check)
 {
   vtkNew<vtkMinimalStandardRandomSequence> random;
-  for (int shape = 0; shape < vtkSpatialPrimitive::NUMBER_OF_SHAPES; ++shape)
+  for (int shape = 0; shape < vtkSpatialPrimitive::IMPLICIT_FUNCTION; ++shape)
   {
     for (double scale : Scales)
     {
@@ -173,9 +173,9 @@ void CheckVolumes(Check& check)
       (r0 * r0 * (std::pow(r0, 3) - std::pow(r1, 3)) / 3.0 -
         (std::pow(r0, 5) - std::pow(r1, 5)) / 5.0) /
         (r0 * r0 - r1 * r1));
-  const double volumes[vtkSpatialPrimitive::NUMBER_OF_SHAPES] = { 4.0 / 3.0 * Pi * 0.216,
+  const double volumes[vtkSpatialPrimitive::IMPLICIT_FUNCTION] = { 4.0 / 3.0 * Pi * 0.216,
     0.7 * 1.1 * 0.9, Pi * 0.36 * 0.9, 2.0 * Pi * Pi * 0.6 * 0.04, 4.0 * 1.15, fuzzy };
-  for (int shape = 0; shape < vtkSpatialPrimitive::NUMBER_OF_SHAPES; ++shape)
+  for (int shape = 0; shape < vtkSpatialPrimitive::IMPLICIT_FUNCTION; ++shape)
   {
     for (double scale : Scales)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every mode against its definition with the operand and the noise themselves; bounds; seeds;
 // frequencies of zero; what is refused.
+#include "Analytic/GradientNoise.h"
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
@@ -34,7 +35,7 @@ vtkSmartPointer<vtkSpatialPrimitive> MakeSphere()
 
 double GetNoise(vtkSpatialTurbulence* object, int axis, const double x[3])
 {
-  const vtkGradientNoise noise(object->GetSeed() ^ (axis * (INT_MAX / 3)));
+  const interlume::GradientNoise noise(object->GetSeed() ^ (axis * (INT_MAX / 3)));
   const double* frequency = object->GetFrequency();
   const double y[3] = { frequency[0] * x[0], frequency[1] * x[1], frequency[2] * x[2] };
   return object->GetAmplitude() * noise.Sum(y, object->GetSum(), object->GetNumberOfOctaves());
@@ -77,7 +78,7 @@ void CheckModes(Check& check)
       object->SetAmplitude(amplitude);
       object->SetSeed(mode);
       check.SetContext(std::string(vtkSpatialTurbulence::GetModeName(mode)) + " by " +
-        vtkGradientNoise::GetSumName(sum) + " times " + std::to_string(amplitude));
+        vtkTurbulenceSource::GetSumName(sum) + " times " + std::to_string(amplitude));
       double bounds[6];
       object->GetBounds(bounds);
       int changed = 0;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Values against the formula, with every sum, falloff and envelope; seeds; parts, threads, progress
 // and abort; settings.
+#include "Analytic/GradientNoise.h"
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceProgress.h"
 #include "Support/Meshes/ReferenceImageSource.h"
 
 #include "vtkDataArray.h"
-#include "vtkGradientNoise.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -46,7 +46,7 @@ double GetExpected(vtkTurbulenceSource* source, const double x[3])
   const double size[3] = { 3.0, 4.0, 1.0 };
   const double y[3] = { 1.7 * x[0], 1.7 * x[1], 1.7 * x[2] };
   const int axis = source->GetVerticalAxis();
-  const double noise = vtkGradientNoise(5).Sum(y, source->GetSum(), 4);
+  const double noise = interlume::GradientNoise(5).Sum(y, source->GetSum(), 4);
   const double value =
     GetFalloff(source->GetFalloff(), (x[axis] - low[axis]) / size[axis]) * (0.3 + 0.8 * noise);
   double r2 = 0.0;
@@ -66,7 +66,7 @@ void CheckValues(Check& check)
   for (const auto& [sum, falloff, envelope] : AllIndices(
          3, vtkTurbulenceSource::NUMBER_OF_FALLOFFS, vtkTurbulenceSource::NUMBER_OF_ENVELOPES))
   {
-    check.SetContext(std::string(vtkGradientNoise::GetSumName(sum)) + ", falloff " +
+    check.SetContext(std::string(vtkTurbulenceSource::GetSumName(sum)) + ", falloff " +
       vtkTurbulenceSource::GetFalloffName(falloff) + ", envelope " +
       vtkTurbulenceSource::GetEnvelopeName(envelope));
     source->SetSum(sum);

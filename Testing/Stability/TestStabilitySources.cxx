@@ -3,14 +3,14 @@
 // against formulas in long double, and what has to hold anywhere.
 #include "StabilityChecks.h"
 
+#include "Sources/Analytic/GradientNoise.h"
+
 #include "vtkAnalyticFieldSource.h"
 #include "vtkAnalyticFlowSource.h"
 #include "vtkConstructiveModelSource.h"
-#include "vtkConstructiveModels.h"
 #include "vtkConstructiveVolume.h"
 #include "vtkDataArray.h"
 #include "vtkDeltaWingSource.h"
-#include "vtkGradientNoise.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -199,18 +199,20 @@ void TestFlows(StabilityCatalogue& catalogue)
 
 void TestNoise(StabilityCatalogue& catalogue)
 {
-  catalogue.SetClass("vtkGradientNoise");
-  const vtkGradientNoise noise(7);
+  catalogue.SetClass("vtkTurbulenceSource");
+  vtkNew<vtkTurbulenceSource> noise;
+  noise->SetSeed(7);
+  noise->SetFrequency(1.0);
+  noise->SetSum(vtkTurbulenceSource::NOISE);
   const double near[3] = { 0.375, 17.25, 3.5 };
   for (const double periods : { 0x1p20, 0x1p30, -0x1p40 })
   {
     const double far[3] = { near[0] + 256.0 * periods, near[1], near[2] - 256.0 * periods };
     catalogue.Measure("far-" + Short(periods), Short(periods) + " periods away",
-      "the difference from the noise near the origin", noise.Evaluate(far) - noise.Evaluate(near),
+      "the difference from the noise near the origin", noise->Evaluate(far) - noise->Evaluate(near),
       0.0);
   }
 
-  catalogue.SetClass("vtkTurbulenceSource");
   vtkNew<vtkTurbulenceSource> source;
   source->SetDimensions(9, 9, 9);
   const auto outside = [&](double bound)
@@ -227,7 +229,8 @@ void TestNoise(StabilityCatalogue& catalogue)
   source->SetFrequency(1e300);
   source->SetNumberOfOctaves(16);
   catalogue.Measure("frequency-1e12", "16 octaves from a frequency of 1e12, the most",
-    "values beyond twice the largest noise", outside(2.0 * vtkGradientNoise::LargestNoise), 0.0);
+    "values beyond twice the largest noise", outside(2.0 * interlume::GradientNoise::LargestNoise),
+    0.0);
   source->SetFrequency(2.0);
   const double place[3] = { 0.1, 0.2, 0.3 };
   const double plain = source->Evaluate(place);
@@ -235,7 +238,8 @@ void TestNoise(StabilityCatalogue& catalogue)
   catalogue.Measure("amplitude-1e12", "an amplitude of 1e12, the most", "relative error of a value",
     source->Evaluate(place) / (1e12 * plain) - 1.0, 1e-15);
   catalogue.Measure("amplitude-1e12-values", "an amplitude of 1e12, the most",
-    "values beyond twice the largest noise", outside(2e12 * vtkGradientNoise::LargestNoise), 0.0);
+    "values beyond twice the largest noise", outside(2e12 * interlume::GradientNoise::LargestNoise),
+    0.0);
   source->SetAmplitude(NaN);
   source->SetTopFraction(0.0);
   source->SetFalloff(vtkTurbulenceSource::EXPONENTIAL);
@@ -305,7 +309,7 @@ void TestSolids(StabilityCatalogue& catalogue)
   for (const int resolution : { -5, 2, 33 })
   {
     double outside = 0.0;
-    for (int i = 0; i < vtkConstructiveModels::NUMBER_OF_MODELS; ++i)
+    for (int i = 0; i < vtkConstructiveModelSource::NUMBER_OF_MODELS; ++i)
     {
       model->SetModel(i);
       model->SetResolution(resolution);

@@ -2,7 +2,9 @@
 #include "vtkSpatialPrimitive.h"
 
 #include "Common/NamedValue.h"
+#include "Sampling/PartPrinter.h"
 
+#include "vtkImplicitFunction.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 
@@ -34,10 +36,20 @@ double GetProductDistance(const double (&distances)[Size])
 }
 }
 
+vtkSpatialPrimitive::vtkSpatialPrimitive()
+{
+  for (int side = 0; side < 6; ++side)
+  {
+    this->Limits[side] = side % 2 == 0 ? vtkMath::NegInf() : vtkMath::Inf();
+  }
+}
+
+vtkSpatialPrimitive::~vtkSpatialPrimitive() = default;
+
 const char* vtkSpatialPrimitive::GetShapeName(int shape)
 {
   static const char* const names[NUMBER_OF_SHAPES] = { "sphere", "box", "cylinder", "torus",
-    "half-space", "fuzzy sphere" };
+    "half-space", "fuzzy sphere", "implicit function" };
   return shape >= 0 && shape < NUMBER_OF_SHAPES ? names[shape] : nullptr;
 }
 
@@ -56,30 +68,17 @@ void vtkSpatialPrimitive::SetCenter(double x, double y, double z)
   }
 }
 
-void vtkSpatialPrimitive::SetSize(double& member, double size, const char* name)
+void vtkSpatialPrimitive::SetSize(double& member, double size, const char* name, bool canBeZero)
 {
-  if (!(size > 0.0) || !std::isfinite(size))
+  if (!(size > 0.0 || (canBeZero && size == 0.0)) || !std::isfinite(size))
   {
-    vtkErrorMacro("The " << name << " " << size << " is not finite or not above 0.");
+    vtkErrorMacro("The " << name << " " << size << " is not finite or "
+                         << (canBeZero ? "below 0." : "not above 0."));
     return;
   }
   if (member != size)
   {
     member = size;
-    this->Modified();
-  }
-}
-
-void vtkSpatialPrimitive::SetInnerRadius(double radius)
-{
-  if (!(radius >= 0.0) || !std::isfinite(radius))
-  {
-    vtkErrorMacro("The inner radius " << radius << " is not finite or below 0.");
-    return;
-  }
-  if (this->InnerRadius != radius)
-  {
-    this->InnerRadius = radius;
     this->Modified();
   }
 }
@@ -100,11 +99,54 @@ void vtkSpatialPrimitive::SetLengths(double x, double y, double z)
   }
 }
 
+void vtkSpatialPrimitive::SetFunction(vtkImplicitFunction* function)
+{
+  if (this->Function != function)
+  {
+    this->Function = function;
+    this->Modified();
+  }
+}
+
+vtkImplicitFunction* vtkSpatialPrimitive::GetFunction() const
+{
+  return this->Function;
+}
+
+void vtkSpatialPrimitive::SetLimits(const double limits[6])
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!(limits[2 * axis] <= limits[2 * axis + 1]))
+    {
+      vtkErrorMacro("The limits " << limits[2 * axis] << " and " << limits[2 * axis + 1]
+                                  << " of axis " << axis << " are not in order.");
+      return;
+    }
+  }
+  if (!std::equal(limits, limits + 6, this->Limits))
+  {
+    std::copy_n(limits, 6, this->Limits);
+    this->Modified();
+  }
+}
+
+vtkMTimeType vtkSpatialPrimitive::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Function ? std::max(own, this->Function->GetMTime()) : own;
+}
+
 std::string vtkSpatialPrimitive::Prepare(double bounds[6])
 {
   if (this->Shape == FUZZY_SPHERE && !(this->InnerRadius < this->Radius))
   {
     return "The inner radius of a fuzzy sphere is not below its radius.";
+  }
+  if (this->Shape == IMPLICIT_FUNCTION)
+  {
+    std::copy_n(this->Limits, 6, bounds);
+    return this->Function ? "" : "A spatial object of an implicit function has no function.";
   }
   double half[3] = { this->Radius, this->Radius, this->Radius };
   switch (this->Shape)
@@ -126,7 +168,7 @@ std::string vtkSpatialPrimitive::Prepare(double bounds[6])
     default:
       break;
   }
-  const double edge = this->Shape == FUZZY_SPHERE ? 0.0 : 0.5 * this->GetEdgeWidth();
+  const double edge = this->Shape == FUZZY_SPHERE ? 0.0 : 0.5 * this->EdgeWidth;
   for (int axis = 0; axis < 3; ++axis)
   {
     bounds[2 * axis] = this->Center[axis] - half[axis] - edge;
@@ -157,6 +199,8 @@ double vtkSpatialPrimitive::GetProfile(const double x[3]) const
         Hypotenuse(Hypotenuse(p[0], p[1]) - this->Radius, p[2]) - this->TubeRadius);
     case HALF_SPACE:
       return this->GetEdgeProfile(p[2]);
+    case IMPLICIT_FUNCTION:
+      return this->GetProfileOfFunction(x);
     default:
     {
       const double r0 = this->Radius * this->Radius;
@@ -167,12 +211,64 @@ double vtkSpatialPrimitive::GetProfile(const double x[3]) const
   }
 }
 
+double vtkSpatialPrimitive::GetProfileOfFunction(const double x[3]) const
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (x[axis] < this->Limits[2 * axis] || x[axis] > this->Limits[2 * axis + 1])
+    {
+      return 0.0;
+    }
+  }
+  const double value = this->Function->FunctionValue(x);
+  if (this->EdgeWidth == 0.0)
+  {
+    return this->GetEdgeProfile(value);
+  }
+  double gradient[3];
+  double position[3] = { x[0], x[1], x[2] };
+  this->Function->FunctionGradient(position, gradient);
+  const double steepness = vtkMath::Norm(gradient);
+  // Without a gradient only the sign is known.
+  return this->GetEdgeProfile(
+    steepness > 0.0 ? value / steepness : std::copysign(this->EdgeWidth, value));
+}
+
+double vtkSpatialPrimitive::GetEdgeProfile(double distance) const
+{
+  const double half = 0.5 * this->EdgeWidth;
+  if (distance <= -half)
+  {
+    return 1.0;
+  }
+  if (!(distance < half))
+  {
+    return 0.0;
+  }
+  const double e = 0.5 - distance / this->EdgeWidth;
+  return e * e * (3.0 - 2.0 * e);
+}
+
+bool vtkSpatialPrimitive::EvaluateLocally(
+  const double (*points)[3], int number, Sample* samples) const
+{
+  bool isAny = false;
+  for (int i = 0; i < number; ++i)
+  {
+    samples[i].Density = this->GetDensity() * this->GetProfile(points[i]);
+    std::copy_n(this->GetLeafColor(), 3, samples[i].Color);
+    isAny = isAny || samples[i].Density > 0.0;
+  }
+  return isAny;
+}
+
 void vtkSpatialPrimitive::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   interlume::NamedValue::Print(os, indent,
-    { { "Shape", GetShapeName(this->Shape) }, { "Center", this->Center },
-      { "Radius", this->Radius }, { "InnerRadius", this->InnerRadius },
-      { "TubeRadius", this->TubeRadius }, { "Height", this->Height },
-      { "Lengths", this->Lengths } });
+    { { "Shape", GetShapeName(this->Shape) }, { "EdgeWidth", this->EdgeWidth },
+      { "Center", this->Center }, { "Radius", this->Radius }, { "InnerRadius", this->InnerRadius },
+      { "TubeRadius", this->TubeRadius }, { "Height", this->Height }, { "Lengths", this->Lengths },
+      { "Limits", this->Limits } });
+  interlume::PartPrinter::Print(os, indent, "Function", this->Function);
 }

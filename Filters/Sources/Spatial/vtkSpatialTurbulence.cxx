@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpatialTurbulence.h"
 
+#include "Analytic/GradientNoise.h"
 #include "Common/NamedValue.h"
 #include "Sampling/ClampedValue.h"
 #include "Sampling/PartPrinter.h"
@@ -22,6 +23,8 @@ vtkSpatialTurbulence::vtkSpatialTurbulence()
 {
   this->MakeNoises();
 }
+
+vtkSpatialTurbulence::~vtkSpatialTurbulence() = default;
 
 const char* vtkSpatialTurbulence::GetModeName(int mode)
 {
@@ -78,9 +81,10 @@ void vtkSpatialTurbulence::MakeNoises()
   // The distance of the seeds, which is far from the seeds that users take: these are small
   // numbers.
   constexpr int distance = INT_MAX / 3;
+  this->Noises.clear();
   for (int i = 0; i < 3; ++i)
   {
-    this->Noises[i] = vtkGradientNoise(this->Seed ^ (i * distance));
+    this->Noises.emplace_back(this->Seed ^ (i * distance));
   }
 }
 
@@ -105,12 +109,12 @@ std::string vtkSpatialTurbulence::Prepare(double bounds[6])
   if (problem.empty())
   {
     this->Operand->GetBounds(bounds);
-    const double largest = this->Sum == vtkGradientNoise::NOISE
-      ? vtkGradientNoise::LargestNoise
-      : 2.0 * vtkGradientNoise::LargestNoise;
+    const double largest = this->Sum == vtkTurbulenceSource::NOISE
+      ? interlume::GradientNoise::LargestNoise
+      : 2.0 * interlume::GradientNoise::LargestNoise;
     const double reach = this->Mode == DISPLACEMENT ? largest * std::fabs(this->Amplitude) : 0.0;
     // Turbulence displaces to one side only.
-    const bool isOneSided = this->Sum == vtkGradientNoise::TURBULENCE;
+    const bool isOneSided = this->Sum == vtkTurbulenceSource::TURBULENCE;
     for (int side = 0; side < 6; ++side)
     {
       const bool isLower = side % 2 == 0;
@@ -121,7 +125,8 @@ std::string vtkSpatialTurbulence::Prepare(double bounds[6])
   return problem;
 }
 
-double vtkSpatialTurbulence::GetNoise(const vtkGradientNoise& noise, const double x[3]) const
+double vtkSpatialTurbulence::GetNoise(
+  const interlume::GradientNoise& noise, const double x[3]) const
 {
   const double scaled[3] = { this->Frequency[0] * x[0], this->Frequency[1] * x[1],
     this->Frequency[2] * x[2] };
@@ -171,7 +176,7 @@ void vtkSpatialTurbulence::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   interlume::NamedValue::Print(os, indent,
-    { { "Mode", GetModeName(this->Mode) }, { "Sum", vtkGradientNoise::GetSumName(this->Sum) },
+    { { "Mode", GetModeName(this->Mode) }, { "Sum", vtkTurbulenceSource::GetSumName(this->Sum) },
       { "NumberOfOctaves", this->NumberOfOctaves }, { "Frequency", this->Frequency },
       { "Amplitude", this->Amplitude }, { "Gain", this->Gain }, { "Seed", this->Seed } });
   interlume::PartPrinter::Print(os, indent, "Operand", this->Operand);

@@ -3,7 +3,7 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkConstructiveVolume.h"
-#include "vtkGradientNoise.h"
+#include "vtkTurbulenceSource.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
@@ -108,7 +108,7 @@ vtkSmartPointer<vtkSpatialObject> MakeClouds(const std::vector<Cumulus>& clouds)
     vtkNew<vtkSpatialTurbulence> billows;
     billows->SetOperand(MakeHeaps(cloud));
     billows->SetModeToDisplacement();
-    billows->SetSum(vtkGradientNoise::FRACTAL_SUM);
+    billows->SetSum(vtkTurbulenceSource::FRACTAL_SUM);
     billows->SetNumberOfOctaves(4);
     billows->SetFrequency(2.6 / cloud.Radius);
     billows->SetAmplitude(0.13 * cloud.Radius);
@@ -116,7 +116,7 @@ vtkSmartPointer<vtkSpatialObject> MakeClouds(const std::vector<Cumulus>& clouds)
     vtkNew<vtkSpatialTurbulence> fringes;
     fringes->SetOperand(billows);
     fringes->SetModeToErosion();
-    fringes->SetSum(vtkGradientNoise::TURBULENCE);
+    fringes->SetSum(vtkTurbulenceSource::TURBULENCE);
     fringes->SetNumberOfOctaves(4);
     fringes->SetFrequency(5.0 / cloud.Radius);
     fringes->SetAmplitude(0.55);

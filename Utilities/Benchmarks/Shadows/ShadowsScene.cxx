@@ -3,7 +3,7 @@
 
 #include "Support/Inputs/DataFiles.h"
 
-#include "vtkConstructiveModels.h"
+#include "vtkConstructiveModelSource.h"
 #include "vtkConstructiveVolume.h"
 #include "vtkSpatialObject.h"
 
@@ -160,7 +160,8 @@ Case MakeSphere(int points)
 {
   Case made;
   made.Name = "sphere-" + std::to_string(points);
-  auto image = Sample(vtkConstructiveModels::MakeFuzzySphere(), points, 0.52);
+  auto image = Sample(
+    vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::FUZZY_SPHERE), points, 0.52);
   const Double3 color{ { 0.9, 0.8, 0.7 } };
   auto property = MakeProperty({ { 0.0, color, 0.0 }, { 1.0, color, -std::expm1(-0.6) } }, 0.1);
   made.Scene = MakeScene(
@@ -172,7 +173,8 @@ Case MakeRings(int points)
 {
   Case made;
   made.Name = "rings-" + std::to_string(points);
-  auto image = Sample(vtkConstructiveModels::MakeRings(), points, 1.0);
+  auto image =
+    Sample(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::RINGS), points, 1.0);
   const Double3 color{ { 0.8, 0.6, 0.35 } };
   auto property = MakeProperty({ { 0.0, color, 0.0 }, { 1.0, color, 0.8 } }, 2.0 / points);
   made.Scene = MakeScene(
@@ -184,7 +186,9 @@ Case MakeSmoke(int points)
 {
   Case made;
   made.Name = "smoke-" + std::to_string(points);
-  auto image = Sample(vtkConstructiveModels::MakeHypertextureSphere(), points, 0.75);
+  auto image =
+    Sample(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::HYPERTEXTURE_SPHERE),
+      points, 0.75);
   const Double3 color{ { 0.8, 0.8, 0.85 } };
   auto property = MakeProperty({ { 0.0, color, 0.0 }, { 1.0, color, 0.5 } }, 0.1);
   made.Scene = MakeScene(

@@ -37,8 +37,8 @@ Case MakeBonsai(int stepXY, int stepZ);
 Case MakeSphere(int points);
 
 /**
- * Seven tori of vtkConstructiveModels on points^3 points of a cube, nearly opaque. Shade is on.
- * `rings-<points>`.
+ * Seven tori of vtkConstructiveModelSource on points^3 points of a cube, nearly opaque. Shade is
+ * on. `rings-<points>`.
  */
 Case MakeRings(int points);
 

@@ -7,14 +7,15 @@
 #include "Gallery/Scenes/Light/ShadowScene.h"
 #include "Gallery/Stage.h"
 
-#include "vtkConstructiveModels.h"
+#include "vtkConstructiveModelSource.h"
 
 namespace
 {
 void BuildSphere(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image = gallery::Sample(
-    gallery::Unite({ gallery::Place(gallery::Soften(vtkConstructiveModels::MakeTwoSpheres()),
+    gallery::Unite({ gallery::Place(gallery::Soften(vtkConstructiveModelSource::MakeModel(
+                                      vtkConstructiveModelSource::TWO_SPHERES)),
                        { -0.15, 0.0, 0.0 }),
       gallery::MakeDisk({ 0.1, 0.05, -0.5 }, 1.1, 0.06, gallery::Plaster()) }),
     vtkBoundingBox(-1.05, 1.25, -1.1, 1.2, -0.6, 0.83), 200);

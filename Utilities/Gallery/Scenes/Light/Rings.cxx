@@ -7,12 +7,14 @@
 #include "Gallery/Scenes/Light/SoftShadows.h"
 #include "Gallery/Stage.h"
 
-#include "vtkConstructiveModels.h"
+#include "vtkConstructiveModelSource.h"
 
 vtkSmartPointer<vtkImageData> gallery::SampleRings()
 {
   vtkSmartPointer<vtkSpatialObject> all = gallery::Unite(
-    { gallery::Place(gallery::Soften(vtkConstructiveModels::MakeRings()), { 0.0, 0.0, 0.42 }, 8.0),
+    { gallery::Place(
+        gallery::Soften(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::RINGS)),
+        { 0.0, 0.0, 0.42 }, 8.0),
       gallery::MakeDisk({ 0.0, 0.0, 0.0 }, 1.25, 0.06, gallery::Plaster()) });
   return gallery::Sample(all, vtkBoundingBox(-1.3, 1.3, -1.3, 1.3, -0.1, 0.8), 220);
 }

@@ -6,7 +6,7 @@
 #include "Gallery/Scenes/Light/ShadowScene.h"
 #include "Gallery/Stage.h"
 
-#include "vtkConstructiveModels.h"
+#include "vtkConstructiveModelSource.h"
 
 namespace
 {
@@ -15,7 +15,8 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkSpatialObject> all =
     gallery::Unite({ gallery::MakeDisk({ 0.0, 0.0, 0.0 }, 1.0, 0.06, gallery::Plaster()),
       gallery::Place(
-        gallery::Soften(vtkConstructiveModels::MakeRobot()), { -0.3, -0.1, 0.0 }, -28.0) });
+        gallery::Soften(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::ROBOT)),
+        { -0.3, -0.1, 0.0 }, -28.0) });
   vtkSmartPointer<vtkImageData> image =
     gallery::Sample(all, vtkBoundingBox(-1.05, 1.05, -1.05, 1.05, -0.1, 1.28), 190);
   vtkSmartPointer<vtkVolumeProperty> matter = gallery::MakeSolidMatter(image);

@@ -3,7 +3,7 @@
 
 #include "Gallery/Scenes/Light/ShadowScene.h"
 
-#include "vtkConstructiveModels.h"
+#include "vtkConstructiveModelSource.h"
 #include "vtkNew.h"
 #include "vtkSpatialTurbulence.h"
 #include "vtkTransform.h"
@@ -22,15 +22,15 @@ vtkSmartPointer<vtkSpatialObject> MakePuff()
   puff->SetOperand(sphere);
   puff->SetFrequency(5.0);
   puff->SetAmplitude(0.1);
-  puff->SetSum(vtkGradientNoise::FRACTAL_SUM);
+  puff->SetSum(vtkTurbulenceSource::FRACTAL_SUM);
   return Place(puff, { 0.75, -0.75, 0.45 });
 }
 
 /// Upright, against the wall at +y.
 vtkSmartPointer<vtkSpatialObject> MakeLeaningRings()
 {
-  vtkSmartPointer<vtkSpatialObject> rings =
-    Unite({ Soften(vtkConstructiveModels::MakeRings(), 0.03) });
+  vtkSmartPointer<vtkSpatialObject> rings = Unite(
+    { Soften(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::RINGS), 0.03) });
   vtkNew<vtkTransform> transform;
   transform->Translate(0.45, 0.66, 0.47);
   transform->RotateX(74.0);
@@ -42,8 +42,8 @@ vtkSmartPointer<vtkSpatialObject> MakeLeaningRings()
 
 vtkSmartPointer<vtkSpatialObject> MakeSmallRobot()
 {
-  vtkSmartPointer<vtkSpatialObject> robot =
-    Unite({ Soften(vtkConstructiveModels::MakeRobot(), 0.03) });
+  vtkSmartPointer<vtkSpatialObject> robot = Unite(
+    { Soften(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::ROBOT), 0.03) });
   vtkNew<vtkTransform> transform;
   transform->Translate(-0.4, 0.1, 0.0);
   transform->RotateZ(20.0);

@@ -7,7 +7,7 @@
 #include "Gallery/Scenes/Light/LightScreens.h"
 
 #include "vtkActor.h"
-#include "vtkConstructiveModels.h"
+#include "vtkConstructiveModelSource.h"
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
@@ -53,9 +53,12 @@ void Build(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image = gallery::Sample(
     gallery::Unite({ MakeShell(),
-      gallery::Place(gallery::Soften(vtkConstructiveModels::MakeDesk()), { 0.5, 0.3, 0.0 }, 6.0),
       gallery::Place(
-        gallery::Soften(vtkConstructiveModels::MakeChair()), { -0.15, 0.1, 0.0 }, 118.0) }),
+        gallery::Soften(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::DESK)),
+        { 0.5, 0.3, 0.0 }, 6.0),
+      gallery::Place(
+        gallery::Soften(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::CHAIR)),
+        { -0.15, 0.1, 0.0 }, 118.0) }),
     vtkBoundingBox(-1.3, 1.3, -1.04, 1.1, -0.1, 1.6), 220);
   vtkSmartPointer<vtkLight> sun = gallery::MakeParallelLight({ -0.5, 1.0, 0.56 }, 7.5);
   sun->SetDiffuseColor(1.0, 0.87, 0.68);

@@ -6,7 +6,7 @@
 #include "Gallery/Scenes/Light/ShadowScene.h"
 #include "Gallery/Stage.h"
 
-#include "vtkConstructiveModels.h"
+#include "vtkConstructiveModelSource.h"
 #include "vtkNew.h"
 
 namespace
@@ -37,7 +37,8 @@ const gallery::SceneRegistration sphereShadow(
 void BuildCurvedShadows(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkSpatialObject> all =
-    gallery::Unite({ gallery::Place(gallery::Soften(vtkConstructiveModels::MakeTwoSpheres()),
+    gallery::Unite({ gallery::Place(gallery::Soften(vtkConstructiveModelSource::MakeModel(
+                                      vtkConstructiveModelSource::TWO_SPHERES)),
                        { 0.0, 0.0, 0.5 }, -60.0),
       gallery::MakeDisk({ 0.0, 0.0, 0.0 }, 0.85, 0.05, gallery::Plaster()) });
   vtkSmartPointer<vtkImageData> image =
@@ -56,7 +57,8 @@ const gallery::SceneRegistration curvedShadows(
 void BuildTeddyBear(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkSpatialObject> all = gallery::Unite(
-    { gallery::Place(vtkConstructiveModels::MakeTeddyBear(), { 0.0, 0.1, 0.0 }, 20.0),
+    { gallery::Place(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::TEDDY_BEAR),
+        { 0.0, 0.1, 0.0 }, 20.0),
       gallery::MakeDisk({ 0.0, 0.0, 0.0 }, 0.74, 0.05, gallery::Plaster()) });
   vtkSmartPointer<vtkImageData> image =
     gallery::Sample(all, vtkBoundingBox(-0.77, 0.77, -0.77, 0.77, -0.1, 1.4), 180, 0.8);

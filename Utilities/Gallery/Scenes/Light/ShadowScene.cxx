@@ -16,7 +16,7 @@
 #include "vtkSMPTools.h"
 #include "vtkShadowedSliceMapper.h"
 #include "vtkSpatialOperation.h"
-#include "vtkSpatialSolid.h"
+#include "vtkSpatialPrimitive.h"
 #include "vtkTransform.h"
 #include "vtkTurbulenceSource.h"
 #include "vtkUnsignedCharArray.h"
@@ -210,7 +210,7 @@ vtkSmartPointer<vtkSpatialObject> Unite(
 
 vtkSmartPointer<vtkSpatialObject> Soften(vtkSpatialObject* object, double width)
 {
-  if (auto* solid = vtkSpatialSolid::SafeDownCast(object))
+  if (auto* solid = vtkSpatialPrimitive::SafeDownCast(object))
   {
     solid->SetEdgeWidth(width);
   }

@@ -5,14 +5,16 @@
 #include "Gallery/Scenes/Light/SoftShadows.h"
 #include "Gallery/Stage.h"
 
-#include "vtkConstructiveModels.h"
+#include "vtkConstructiveModelSource.h"
 
 namespace
 {
 vtkSmartPointer<vtkImageData> SampleSphere()
 {
   vtkSmartPointer<vtkSpatialObject> all = gallery::Unite(
-    { gallery::Place(vtkConstructiveModels::MakeHypertextureSphere(), { 0.0, 0.0, 0.62 }),
+    { gallery::Place(
+        vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::HYPERTEXTURE_SPHERE),
+        { 0.0, 0.0, 0.62 }),
       gallery::MakeDisk({ 0.0, 0.0, 0.0 }, 1.0, 0.05, gallery::Plaster()) });
   return gallery::Sample(all, vtkBoundingBox(-1.05, 1.05, -1.05, 1.05, -0.1, 1.35), 170, 0.7);
 }
@@ -48,9 +50,10 @@ const gallery::SceneRegistration hypertextureSoft({ "hypertexture-soft", "2.37",
 
 vtkSmartPointer<vtkImageData> SampleRobot()
 {
-  vtkSmartPointer<vtkSpatialObject> all =
-    gallery::Unite({ gallery::Place(gallery::Soften(vtkConstructiveModels::MakeRobot()),
-                       { -0.25, 0.0, 0.0 }, -28.0),
+  vtkSmartPointer<vtkSpatialObject> all = gallery::Unite(
+    { gallery::Place(
+        gallery::Soften(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::ROBOT)),
+        { -0.25, 0.0, 0.0 }, -28.0),
       gallery::MakeDisk({ 0.0, 0.0, 0.0 }, 1.0, 0.06, gallery::Plaster()) });
   return gallery::Sample(all, vtkBoundingBox(-1.05, 1.05, -1.05, 1.05, -0.1, 1.28), 230, 0.9);
 }

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkGradientNoise.h"
+#include "Analytic/GradientNoise.h"
+
+#include "vtkTurbulenceSource.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <utility>
+
+namespace interlume
+{
 
 namespace
 {
@@ -74,13 +79,7 @@ double GetGradientProduct(int hash, double x, double y, double z)
 }
 }
 
-const char* vtkGradientNoise::GetSumName(int sum)
-{
-  static const char* const names[] = { "noise", "fractal sum", "turbulence" };
-  return sum >= NOISE && sum <= TURBULENCE ? names[sum] : nullptr;
-}
-
-vtkGradientNoise::vtkGradientNoise(int seed)
+GradientNoise::GradientNoise(int seed)
 {
   auto& p = this->Permutation;
   if (seed == 0)
@@ -99,7 +98,7 @@ vtkGradientNoise::vtkGradientNoise(int seed)
   std::copy_n(p.begin(), Period, p.begin() + Period);
 }
 
-double vtkGradientNoise::Evaluate(const double x[3]) const
+double GradientNoise::Evaluate(const double x[3]) const
 {
   int cell[3];
   double t[3];
@@ -131,9 +130,9 @@ double vtkGradientNoise::Evaluate(const double x[3]) const
   return Interpolate(w, layers[0], layers[1]);
 }
 
-double vtkGradientNoise::Sum(const double x[3], int sum, int octaves) const
+double GradientNoise::Sum(const double x[3], int sum, int octaves) const
 {
-  if (sum == NOISE)
+  if (sum == vtkTurbulenceSource::NOISE)
   {
     return this->Evaluate(x);
   }
@@ -143,7 +142,9 @@ double vtkGradientNoise::Sum(const double x[3], int sum, int octaves) const
   {
     const double scaled[3] = { scale * x[0], scale * x[1], scale * x[2] };
     const double noise = this->Evaluate(scaled) / scale;
-    total += sum == TURBULENCE ? std::fabs(noise) : noise;
+    total += sum == vtkTurbulenceSource::TURBULENCE ? std::fabs(noise) : noise;
   }
   return total;
+}
+
 }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef vtkGradientNoise_h
-#define vtkGradientNoise_h
+#ifndef interlume_GradientNoise_h
+#define interlume_GradientNoise_h
 
-#include "InterlumeSourcesModule.h" // for the export macro
+#include <array>
 
-#include <array> // for the permutation
+namespace interlume
+{
 
 /**
- * @class   vtkGradientNoise
+ * @class   GradientNoise
  * @brief   Perlin's improved gradient noise, and sums of its octaves
  *
  * K. Perlin, "Improving noise", SIGGRAPH 2002: gradients at the points of the unit lattice, chosen
@@ -19,33 +20,20 @@
  * Seed 0 is the published permutation; another seed shuffles 0 ... 255 by a generator of its own,
  * so that a seed means the same noise with every compiler and library.
  */
-class INTERLUMESOURCES_EXPORT vtkGradientNoise
+class GradientNoise
 {
 public:
-  /// The ways to sum octaves: the noise alone, sum of noise(2^i x) / 2^i, or of its absolute value.
-  enum Sums
-  {
-    NOISE = 0,
-    FRACTAL_SUM = 1,
-    TURBULENCE = 2
-  };
-
-  /// Returns "noise", "fractal sum" or "turbulence"; null for a number that is not a sum.
-  static const char* GetSumName(int sum);
-
-  static constexpr int MaximumNumberOfOctaves = 16;
-
   /// A bound of the noise: no noise is larger, and no sum of octaves larger than twice that.
   static constexpr double LargestNoise = 1.04;
 
-  explicit vtkGradientNoise(int seed = 0);
+  explicit GradientNoise(int seed = 0);
 
   /// Returns the noise at \a x, in lattice units.
   double Evaluate(const double x[3]) const;
 
   /**
-   * Returns the sum over i = 0 ... octaves - 1 of noise(2^i x) / 2^i or |noise(2^i x)| / 2^i (C.
-   * Zhang, dissertation, Ohio State 2006, section 2.3.2). For NOISE the number of octaves is 1.
+   * Returns the sum over i = 0 ... octaves - 1 of noise(2^i x) / 2^i or |noise(2^i x)| / 2^i, for a
+   * \a sum of vtkTurbulenceSource::Sums. For NOISE the number of octaves is 1.
    */
   double Sum(const double x[3], int sum, int octaves) const;
 
@@ -53,5 +41,7 @@ private:
   // The permutation, stored twice, so that indices need no wrapping.
   std::array<unsigned char, 512> Permutation;
 };
+
+}
 
 #endif

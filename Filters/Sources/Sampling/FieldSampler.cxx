@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkFieldSampler.h"
+#include "Sampling/FieldSampler.h"
 
 #include "Common/NamedValue.h"
 #include "Sampling/ExtentRows.h"
@@ -18,6 +18,9 @@
 #include <sstream>
 #include <vector>
 
+namespace interlume
+{
+
 namespace
 {
 template <typename Value>
@@ -31,36 +34,32 @@ void Assign(Value& member, const Value& value, vtkAlgorithm* owner)
 }
 }
 
-void vtkFieldSampler::SetNumberOfTimeSteps(int number, vtkAlgorithm* owner)
+std::string FieldSampler::SetTimeRange(
+  double (&range)[2], double first, double last, vtkAlgorithm* owner)
 {
-  Assign(this->NumberOfTimeSteps, std::max(1, std::min(number, MaximumNumberOfTimeSteps)), owner);
-}
-
-std::string vtkFieldSampler::SetTimeRange(double first, double last, vtkAlgorithm* owner)
-{
-  std::ostringstream wrong;
   if (!std::isfinite(first) || !std::isfinite(last))
   {
-    wrong << "The time range " << first << " to " << last << " is not finite.";
+    std::ostringstream error;
+    error << "The time range " << first << " to " << last << " is not finite.";
+    return error.str();
   }
-  else
-  {
-    Assign(this->TimeRange, { { std::min(first, last), std::max(first, last) } }, owner);
-  }
-  return wrong.str();
+  Assign(range[0], std::min(first, last), owner);
+  Assign(range[1], std::max(first, last), owner);
+  return std::string();
 }
 
-void vtkFieldSampler::SetScalarType(int type, vtkAlgorithm* owner)
+void FieldSampler::SetScalarType(int& member, int type, vtkAlgorithm* owner)
 {
-  Assign(this->ScalarType, type == VTK_DOUBLE ? VTK_DOUBLE : VTK_FLOAT, owner);
+  Assign(member, type == VTK_DOUBLE ? VTK_DOUBLE : VTK_FLOAT, owner);
 }
 
-void vtkFieldSampler::SetArrayName(const char* name, vtkAlgorithm* owner)
+void FieldSampler::SetArrayName(
+  std::string& member, const char* name, const char* defaultName, vtkAlgorithm* owner)
 {
-  Assign(this->ArrayName, name && *name ? std::string(name) : this->DefaultArrayName, owner);
+  Assign(member, std::string(name && *name ? name : defaultName), owner);
 }
 
-void vtkFieldSampler::Announce(vtkInformation* output, const int wholeExtent[6]) const
+void FieldSampler::Announce(vtkInformation* output, const int wholeExtent[6]) const
 {
   // Equal times are one step.
   const double length = this->TimeRange[1] - this->TimeRange[0];
@@ -79,24 +78,24 @@ void vtkFieldSampler::Announce(vtkInformation* output, const int wholeExtent[6])
   vtkDataObject::SetPointDataActiveScalarInfo(output, this->ScalarType, 1);
 }
 
-std::string vtkFieldSampler::FindTime(vtkInformation* output, double& time) const
+std::string FieldSampler::FindTime(vtkInformation* output, double& time) const
 {
   const auto key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
   time = output->Has(key) ? output->Get(key) : this->TimeRange[0];
-  std::ostringstream wrong;
+  std::ostringstream error;
   if (!std::isfinite(time))
   {
-    wrong << "The time asked for, " << time << ", is not finite.";
+    error << "The requested time, " << time << ", is not finite.";
   }
-  return wrong.str();
+  return error.str();
 }
 
-bool vtkFieldSampler::Sample(vtkDataSet* output, const int extent[6], double time,
-  const Field& field, const Positions& positions, vtkAlgorithm* owner) const
+bool FieldSampler::Sample(vtkDataSet* output, const int extent[6], double time, const Field& field,
+  const Positions& positions, vtkAlgorithm* owner) const
 {
   vtkSmartPointer<vtkDataArray> values =
     vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(this->ScalarType));
-  values->SetName(this->ArrayName.c_str());
+  values->SetName(this->ArrayName);
   values->SetNumberOfTuples(output->GetNumberOfPoints());
 
   const auto sampleRow = [&](int j, int k, vtkIdType point)
@@ -109,7 +108,7 @@ bool vtkFieldSampler::Sample(vtkDataSet* output, const int extent[6], double tim
       values->SetComponent(point, 0, field(x));
     }
   };
-  if (!interlume::ExtentRows::Run(extent, owner, 0.0, 1.0, sampleRow))
+  if (!ExtentRows::Run(extent, owner, 0.0, 1.0, sampleRow))
   {
     return false;
   }
@@ -119,10 +118,12 @@ bool vtkFieldSampler::Sample(vtkDataSet* output, const int extent[6], double tim
   return true;
 }
 
-void vtkFieldSampler::Print(ostream& os, vtkIndent indent) const
+void FieldSampler::Print(std::ostream& os, vtkIndent indent) const
 {
-  interlume::NamedValue::Print(os, indent,
+  NamedValue::Print(os, indent,
     { { "NumberOfTimeSteps", this->NumberOfTimeSteps }, { "TimeRange", this->TimeRange },
       { "OutputScalarType", this->ScalarType == VTK_DOUBLE ? "double" : "float" },
       { "ArrayName", this->ArrayName } });
+}
+
 }
