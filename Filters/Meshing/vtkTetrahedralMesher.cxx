@@ -3,11 +3,10 @@
 
 #include "Common/ArrayCheck.h"
 #include "Common/GridCheck.h"
+#include "Common/NamedValue.h"
 #include "Interpolation/MeshedArrays.h"
 #include "Mesh/MeshMeasures.h"
-#include "Meshers/CellMesher.h"
-#include "Meshers/PointSetMesher.h"
-#include "Meshers/SurfaceMesher.h"
+#include "Meshers/Meshers.h"
 #include "TetGen/MeshingJob.h"
 
 #include "vtkCellArray.h"
@@ -143,10 +142,10 @@ std::string vtkTetrahedralMesher::Mesh(interlume::MeshingJob& job)
   }
   if (dimension == 3)
   {
-    return interlume::CellMesher::Execute(job);
+    return interlume::Meshers::MeshCells(job);
   }
-  return dimension == 2 ? interlume::SurfaceMesher::Execute(job)
-                        : interlume::PointSetMesher::Execute(job);
+  return dimension == 2 ? interlume::Meshers::MeshSurface(job)
+                        : interlume::Meshers::MeshPoints(job);
 }
 
 void vtkTetrahedralMesher::TakeOutput(interlume::MeshingJob& job, vtkUnstructuredGrid* output)
@@ -255,16 +254,15 @@ void vtkTetrahedralMesher::WarnIfEmpty()
 void vtkTetrahedralMesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "QualityBound: " << this->QualityBound << "\n";
-  os << indent << "MinimumDihedralAngle: " << this->MinimumDihedralAngle << "\n";
-  os << indent << "MaximumVolume: " << this->MaximumVolume << "\n";
-  os << indent << "MaximumNumberOfAddedPoints: " << this->MaximumNumberOfAddedPoints << "\n";
-  os << indent << "PreserveBoundary: " << this->PreserveBoundary << "\n";
-  os << indent << "FillNestedShells: " << this->FillNestedShells << "\n";
-  os << indent << "SplitContacts: " << this->SplitContacts << "\n";
-  os << indent << "TimeLimit: " << this->TimeLimit << "\n";
-  os << indent << "WorkerFileName: " << this->WorkerFileName << "\n";
-  os << indent << "WarnOnEmptyOutput: " << this->WarnOnEmptyOutput << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "QualityBound", this->QualityBound },
+      { "MinimumDihedralAngle", this->MinimumDihedralAngle },
+      { "MaximumVolume", this->MaximumVolume },
+      { "MaximumNumberOfAddedPoints", this->MaximumNumberOfAddedPoints },
+      { "PreserveBoundary", this->PreserveBoundary },
+      { "FillNestedShells", this->FillNestedShells }, { "SplitContacts", this->SplitContacts },
+      { "TimeLimit", this->TimeLimit }, { "WorkerFileName", this->WorkerFileName },
+      { "WarnOnEmptyOutput", this->WarnOnEmptyOutput } });
   os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

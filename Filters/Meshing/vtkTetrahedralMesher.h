@@ -63,8 +63,8 @@ struct MeshingJob;
  * global ids that are not one integer for each point; TetGen's own failures. Warnings: tetrahedra
  * that exceed a bound, next to small angles of the input or where PreserveBoundary or
  * MaximumNumberOfAddedPoints leaves no choice; cells of a type that is not taken; an output without
- * tetrahedra and why, once for a composite input, unless WarnOnEmptyOutput is off or it is one piece
- * of several.
+ * tetrahedra and why, once for a composite input, unless WarnOnEmptyOutput is off or it is one
+ * piece of several.
  *
  * TetGen is under the AGPL: this module is optional (INTERLUME_ENABLE_TETGEN).
  *

@@ -2,8 +2,9 @@
 #include "Interpolation/HarmonicExtension.h"
 
 #include "Common/Vectors.h"
-#include "Interpolation/LinearFit.h"
 #include "Mesh/Tetrahedra.h"
+
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <array>
@@ -47,6 +48,68 @@ std::array<std::array<double, 4>, 4> ElementStiffness(const std::array<const dou
     }
   }
   return matrix;
+}
+
+using Place = Eigen::Map<const Eigen::Vector3d>;
+
+/// The linear function nearest to given values, in the sense of least squares.
+class LinearFit
+{
+public:
+  /// Fits the values of the points of \a mesh that have a source, where finite. Across a plane that
+  /// all of them lie in, the function is constant.
+  LinearFit(const interlume::Tetrahedra& mesh, const std::vector<double>& values);
+
+  double operator()(const double* point) const;
+
+private:
+  Eigen::Vector3d Center = Eigen::Vector3d::Zero();
+  Eigen::Vector3d Gradient = Eigen::Vector3d::Zero();
+  double Constant = 0.0;
+};
+
+LinearFit::LinearFit(const interlume::Tetrahedra& mesh, const std::vector<double>& values)
+{
+  const auto isKnown = [&](std::size_t p)
+  { return mesh.Origins[p].NumberOfSources > 0 && std::isfinite(values[p]); };
+  double number = 0.0;
+  for (std::size_t p = 0; p < values.size(); ++p)
+  {
+    if (isKnown(p))
+    {
+      number += 1.0;
+      this->Constant += values[p];
+      this->Center += Place(&mesh.Points[3 * p]);
+    }
+  }
+  this->Constant /= std::max(number, 1.0);
+  this->Center /= std::max(number, 1.0);
+  // Each axis in units of its own extent, so that a thin mesh is as well fitted as a cube.
+  Eigen::Array3d extent = Eigen::Array3d::Zero();
+  for (std::size_t p = 0; p < values.size(); ++p)
+  {
+    extent = extent.max((Place(&mesh.Points[3 * p]) - this->Center).array().abs());
+  }
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (std::size_t p = 0; p < values.size(); ++p)
+  {
+    if (isKnown(p))
+    {
+      const Eigen::Vector3d x = (Place(&mesh.Points[3 * p]) - this->Center).array() / extent;
+      normal += x * x.transpose();
+      right += (values[p] - this->Constant) * x;
+    }
+  }
+  // Of sizes that the compiler does not know, since GCC 16 sees reads beyond Eigen 5's fixed ones.
+  const Eigen::VectorXd slopes =
+    Eigen::MatrixXd(normal).completeOrthogonalDecomposition().solve(Eigen::VectorXd(right));
+  this->Gradient = slopes.array() / extent;
+}
+
+double LinearFit::operator()(const double* point) const
+{
+  return this->Constant + this->Gradient.dot(Place(point) - this->Center);
 }
 
 /// Thrown out of the solver, which has no other way to be stopped.

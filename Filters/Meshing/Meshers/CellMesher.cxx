@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Meshers/CellMesher.h"
+#include "Meshers/Meshers.h"
 
 #include "Common/GlobalIds.h"
 #include "Common/Vectors.h"
@@ -72,7 +72,7 @@ void AddCell(vtkIdType cell, const CellShell& shell, const CellDecomposition& de
 }
 }
 
-std::string CellMesher::Execute(MeshingJob& job)
+std::string Meshers::MeshCells(MeshingJob& job)
 {
   vtkDataSet* input = job.Input;
   const std::string wrongIds = ArrayCheck::MakeSentence(GlobalIds::FindFault(input));

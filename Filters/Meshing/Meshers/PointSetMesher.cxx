@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Meshers/PointSetMesher.h"
+#include "Meshers/Meshers.h"
 
 #include "Common/Vectors.h"
 #include "Mesh/DistinctPoints.h"
@@ -79,7 +79,7 @@ void TakeMesh(const TetGenSolution& solution, const TetGenSolution& coarse,
 }
 }
 
-std::string PointSetMesher::Execute(MeshingJob& job)
+std::string Meshers::MeshPoints(MeshingJob& job)
 {
   DistinctPoints points;
   std::string wrong =

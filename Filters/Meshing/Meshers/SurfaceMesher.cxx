@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Meshers/SurfaceMesher.h"
+#include "Meshers/Meshers.h"
 
 #include "Common/Vectors.h"
 #include "Refinement/MeshRefinement.h"
@@ -23,11 +23,12 @@ namespace
 MeshedPoint PlaceInTriangle(const ClosedSurface& surface, int triangle, const double* x)
 {
   using namespace Vectors;
-  const int* corners = &surface.InputTriangles[3 * surface.Origins[triangle]];
-  const double* a = &surface.Points.Coordinates[3 * corners[0]];
-  const double* b = &surface.Points.Coordinates[3 * corners[1]];
-  const double* c = &surface.Points.Coordinates[3 * corners[2]];
-  const glm::dvec3 normal = glm::cross(Difference(b, a), Difference(c, a));
+  const std::array<int, 3>& corners =
+    surface.InputTriangles[surface.Triangles[triangle].Origin].Points;
+  const double* a = surface.GetPoint(corners[0]);
+  const double* b = surface.GetPoint(corners[1]);
+  const double* c = surface.GetPoint(corners[2]);
+  const glm::dvec3 normal = surface.GetNormal(corners);
   const double area = glm::dot(normal, normal);
   const double beta = glm::dot(normal, glm::cross(Difference(x, a), Difference(c, a))) / area;
   const double gamma = glm::dot(normal, glm::cross(Difference(b, a), Difference(x, a))) / area;
@@ -71,11 +72,11 @@ std::string CheckPatches(const ClosedSurface& surface, const TetGenSolution& sol
       isMet[marker - 1] = true;
     }
   }
-  for (std::size_t i = 0; i < surface.CellIds.size(); ++i)
+  for (const ClosedSurface::Triangle& triangle : surface.Triangles)
   {
-    if (!isMet[surface.Patches[i]])
+    if (!isMet[triangle.Patch])
     {
-      return "TetGen failed: cell " + std::to_string(surface.CellIds[i]) +
+      return "TetGen failed: cell " + std::to_string(triangle.Cell) +
         " of the surface is missing in its mesh.";
     }
   }
@@ -131,12 +132,12 @@ void TakeMesh(const ClosedSurface& surface, const TetGenSolution& solution, Mesh
   std::vector<std::vector<int>> triangles(surface.NumberOfPatches);
   std::vector<int> layers(surface.NumberOfPatches, 1);
   std::vector<vtkIdType> firstCells(surface.NumberOfPatches, std::numeric_limits<vtkIdType>::max());
-  for (std::size_t t = 0; t < surface.Patches.size(); ++t)
+  for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
   {
-    const int patch = surface.Patches[t];
-    triangles[patch].push_back(static_cast<int>(t));
-    layers[patch] = surface.Layers[t];
-    firstCells[patch] = std::min(firstCells[patch], surface.CellIds[t]);
+    const ClosedSurface::Triangle& triangle = surface.Triangles[t];
+    triangles[triangle.Patch].push_back(static_cast<int>(t));
+    layers[triangle.Patch] = triangle.Layers;
+    firstCells[triangle.Patch] = std::min(firstCells[triangle.Patch], triangle.Cell);
   }
   // A point on the edge of several patches has the same values in each: the first is as good.
   std::vector<int> patches(solution.GetNumberOfPoints(), std::numeric_limits<int>::max());
@@ -168,11 +169,11 @@ void TakeMesh(const ClosedSurface& surface, const TetGenSolution& solution, Mesh
 }
 }
 
-std::string SurfaceMesher::Execute(MeshingJob& job)
+std::string Meshers::MeshSurface(MeshingJob& job)
 {
   ClosedSurface surface;
   std::string wrong = surface.Take(job.Input, job.SplitContacts);
-  job.Report.SurfaceTriangles = static_cast<vtkIdType>(surface.CellIds.size());
+  job.Report.SurfaceTriangles = static_cast<vtkIdType>(surface.Triangles.size());
   job.SetUnit(surface.Points.UnitExponent);
   job.Report.SplitTriangles = surface.NumberOfSplitTriangles;
   job.Report.MergedPoints = surface.Points.NumberOfMerged;

@@ -258,9 +258,7 @@ void VolumeBisection::ConnectNeighbors()
   const int number = static_cast<int>(this->Mesh.Tetrahedra.size());
   for (int i = 0; i < number; ++i)
   {
-    const int* p = &this->Mesh.Tetrahedra[i - i % 4];
-    faces.push_back({ { { p[(i + 1) % 4], p[(i + 2) % 4], p[(i + 3) % 4] } }, i });
-    std::sort(faces.back().Points.begin(), faces.back().Points.end());
+    faces.push_back({ this->Mesh.GetFace(i), i });
   }
   std::sort(
     faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.Points < b.Points; });

@@ -101,17 +101,14 @@ bool CellDecomposition::TakeFromPoint()
   return false;
 }
 
-bool CellDecomposition::HasShell(
-  const std::vector<int>& tetrahedra, const std::vector<int>& neighbors) const
+bool CellDecomposition::HasShell(const TetGenSolution& solution) const
 {
   std::vector<std::array<int, 3>> outside;
-  for (std::size_t i = 0; i < tetrahedra.size(); ++i)
+  for (std::size_t i = 0; i < solution.Neighbors.size(); ++i)
   {
-    if (neighbors[i] < 0)
+    if (solution.Neighbors[i] < 0)
     {
-      const int* t = &tetrahedra[i - i % 4];
-      outside.push_back({ { t[(i + 1) % 4], t[(i + 2) % 4], t[(i + 3) % 4] } });
-      std::sort(outside.back().begin(), outside.back().end());
+      outside.push_back(solution.GetFace(i));
     }
   }
   std::vector<std::array<int, 3>> expected;
@@ -139,7 +136,7 @@ std::string CellDecomposition::TakeFromTetGen(MeshingJob& job)
   }
   TetGenSolution solution;
   std::string wrong = job.Solve(problem, solution);
-  if (!wrong.empty() || !this->HasShell(solution.Tetrahedra, solution.Neighbors))
+  if (!wrong.empty() || !this->HasShell(solution))
   {
     return wrong.empty() ? unfit : wrong;
   }

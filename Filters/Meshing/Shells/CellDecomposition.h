@@ -12,6 +12,7 @@ namespace interlume
 
 class CellShell;
 struct MeshingJob;
+struct TetGenSolution;
 
 /**
  * @class   CellDecomposition
@@ -42,7 +43,7 @@ private:
   std::string TakeFromTetGen(MeshingJob& job);
   bool TakeFromCenter();
   bool FindCenter(glm::dvec3& center) const;
-  bool HasShell(const std::vector<int>& tetrahedra, const std::vector<int>& neighbors) const;
+  bool HasShell(const TetGenSolution& solution) const;
   /// Returns the least sine of a solid angle among the tetrahedra from a place to all triangles.
   double GetLeastShape(const double* apex) const;
 

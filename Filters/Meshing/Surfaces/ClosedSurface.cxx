@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <tuple>
 
 namespace interlume
@@ -73,19 +72,20 @@ double FindRounding(vtkDataSet* input, const DistinctPoints& points)
     (isSingle ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon());
 }
 
-std::array<int, 3> Sorted(const int* triangle)
+std::array<int, 3> Sorted(std::array<int, 3> points)
 {
-  std::array<int, 3> sorted{ { triangle[0], triangle[1], triangle[2] } };
-  std::sort(sorted.begin(), sorted.end());
-  return sorted;
+  std::sort(points.begin(), points.end());
+  return points;
 }
 }
 
 ClosedSurface::ClosedSurface(const DistinctPoints& points, const std::vector<int>& triangles)
   : Points(points)
-  , Triangles(triangles)
-  , CellIds(triangles.size() / 3, 0)
 {
+  for (std::size_t i = 0; i < triangles.size(); i += 3)
+  {
+    this->Triangles.push_back({ { { triangles[i], triangles[i + 1], triangles[i + 2] } } });
+  }
   this->ConnectEdges();
 }
 
@@ -94,10 +94,11 @@ TetGenProblem ClosedSurface::MakeProblem(bool preserveBoundary) const
   TetGenProblem problem;
   problem.Switches = preserveBoundary ? "pYMJnQ" : "pM0/1JnQ";
   problem.Points = this->Points.Coordinates;
-  problem.Triangles = this->Triangles;
-  for (int patch : this->Patches)
+  for (const Triangle& triangle : this->Triangles)
   {
-    problem.Markers.push_back(patch + 1);
+    problem.Triangles.insert(
+      problem.Triangles.end(), triangle.Points.begin(), triangle.Points.end());
+    problem.Markers.push_back(triangle.Patch + 1);
   }
   return problem;
 }
@@ -131,9 +132,11 @@ std::string ClosedSurface::Take(vtkDataSet* input, bool splitContacts)
   }
   if (wrong.empty())
   {
+    for (std::size_t i = 0; i < this->Triangles.size(); ++i)
+    {
+      this->Triangles[i].Origin = static_cast<int>(i);
+    }
     this->InputTriangles = this->Triangles;
-    this->Origins.resize(this->CellIds.size());
-    std::iota(this->Origins.begin(), this->Origins.end(), 0);
     wrong = this->SplitContacts(FindRounding(input, this->Points), splitContacts);
   }
   return wrong.empty() ? this->ConnectEdges() : wrong;
@@ -164,42 +167,34 @@ std::string ClosedSurface::AddPolygons(vtkDataSet* input)
       {
         if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
         {
-          this->Triangles.insert(this->Triangles.end(), triangle.begin(), triangle.end());
-          this->CellIds.push_back(cell);
-          this->Layers.push_back(1);
+          this->Triangles.push_back(
+            { { { static_cast<int>(triangle[0]), static_cast<int>(triangle[1]),
+                static_cast<int>(triangle[2]) } },
+              cell });
         }
       }
     }
   }
-  return this->CellIds.empty() ? "The surface has no triangle." : std::string();
+  return this->Triangles.empty() ? "The surface has no triangle." : std::string();
 }
 
 void ClosedSurface::DropRepeated()
 {
   std::map<std::array<int, 3>, std::size_t> first;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < this->CellIds.size(); ++i)
+  std::vector<Triangle> kept;
+  for (const Triangle& triangle : this->Triangles)
   {
-    const auto found = first.emplace(Sorted(&this->Triangles[3 * i]), kept);
-    if (!found.second)
+    const auto found = first.emplace(Sorted(triangle.Points), kept.size());
+    if (found.second)
     {
-      this->Layers[found.first->second] += this->Layers[i];
-      this->CellIds[found.first->second] = this->CellIds[i];
+      kept.push_back(triangle);
       continue;
     }
-    std::copy_n(&this->Triangles[3 * i], 3, &this->Triangles[3 * kept]);
-    this->CellIds[kept] = this->CellIds[i];
-    this->Layers[kept] = this->Layers[i];
-    if (!this->Origins.empty())
-    {
-      this->Origins[kept] = this->Origins[i];
-    }
-    ++kept;
+    Triangle& same = kept[found.first->second];
+    same.Layers += triangle.Layers;
+    same.Cell = triangle.Cell;
   }
-  this->Triangles.resize(3 * kept);
-  this->CellIds.resize(kept);
-  this->Layers.resize(kept);
-  this->Origins.resize(this->Origins.empty() ? 0 : kept);
+  this->Triangles = std::move(kept);
 }
 
 void ClosedSurface::MergePoints(const std::map<int, int>& merged)
@@ -221,31 +216,25 @@ void ClosedSurface::MergePoints(const std::map<int, int>& merged)
   this->Points.NumberOfMerged += number - kept;
   this->Points.SourceIds.resize(kept);
   this->Points.Coordinates.resize(3 * kept);
-  for (std::vector<int>* list : { &this->Triangles, &this->InputTriangles })
+  for (std::vector<Triangle>* list : { &this->Triangles, &this->InputTriangles })
   {
-    for (int& point : *list)
+    for (Triangle& triangle : *list)
     {
-      point = now[point];
+      for (int& point : triangle.Points)
+      {
+        point = now[point];
+      }
     }
   }
   // Triangles that collapse have no area left.
-  std::size_t left = 0;
-  for (std::size_t i = 0; i < this->CellIds.size(); ++i)
+  const auto hasCollapsed = [](const Triangle& triangle)
   {
-    const std::array<int, 3> sorted = Sorted(&this->Triangles[3 * i]);
-    if (sorted[0] != sorted[1] && sorted[1] != sorted[2])
-    {
-      std::copy_n(&this->Triangles[3 * i], 3, &this->Triangles[3 * left]);
-      this->CellIds[left] = this->CellIds[i];
-      this->Layers[left] = this->Layers[i];
-      this->Origins[left] = this->Origins[i];
-      ++left;
-    }
-  }
-  this->Triangles.resize(3 * left);
-  this->CellIds.resize(left);
-  this->Layers.resize(left);
-  this->Origins.resize(left);
+    const std::array<int, 3>& p = triangle.Points;
+    return p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
+  };
+  this->Triangles.erase(
+    std::remove_if(this->Triangles.begin(), this->Triangles.end(), hasCollapsed),
+    this->Triangles.end());
   this->DropRepeated();
 }
 
@@ -268,18 +257,20 @@ std::string ClosedSurface::SplitContacts(double tolerance, bool splitContacts)
   return wrong;
 }
 
+glm::dvec3 ClosedSurface::GetNormal(const std::array<int, 3>& points) const
+{
+  const double* a = this->GetPoint(points[0]);
+  return glm::cross(Vectors::Difference(this->GetPoint(points[1]), a),
+    Vectors::Difference(this->GetPoint(points[2]), a));
+}
+
 std::string ClosedSurface::CheckAreas() const
 {
-  using namespace Vectors;
-  for (std::size_t i = 0; i < this->CellIds.size(); ++i)
+  for (const Triangle& triangle : this->Triangles)
   {
-    const double* a = &this->Points.Coordinates[3 * this->Triangles[3 * i]];
-    const glm::dvec3 normal =
-      glm::cross(Difference(&this->Points.Coordinates[3 * this->Triangles[3 * i + 1]], a),
-        Difference(&this->Points.Coordinates[3 * this->Triangles[3 * i + 2]], a));
-    if (normal[0] == 0.0 && normal[1] == 0.0 && normal[2] == 0.0)
+    if (this->GetNormal(triangle.Points) == glm::dvec3(0.0))
     {
-      return "Cell " + std::to_string(this->CellIds[i]) +
+      return "Cell " + std::to_string(triangle.Cell) +
         " has a triangle without area: its points lie on a line.";
     }
   }
@@ -288,22 +279,17 @@ std::string ClosedSurface::CheckAreas() const
 
 bool ClosedSurface::AreCoplanar(std::size_t triangle, std::size_t other) const
 {
-  using namespace Vectors;
-  const auto point = [this](std::size_t t, int i)
-  { return &this->Points.Coordinates[3 * this->Triangles[3 * t + i]]; };
-  const double* a = point(triangle, 0);
-  const glm::dvec3 normal =
-    glm::cross(Difference(point(triangle, 1), a), Difference(point(triangle, 2), a));
+  const std::array<int, 3>& points = this->Triangles[triangle].Points;
+  const glm::dvec3 normal = this->GetNormal(points);
   const double length = std::sqrt(glm::dot(normal, normal));
-  for (int i = 0; i < 3; ++i)
-  {
-    const double* x = point(other, i);
-    if (std::abs(glm::dot(normal, Difference(x, a))) > this->Flatness * length)
+  const std::array<int, 3>& others = this->Triangles[other].Points;
+  return std::all_of(others.begin(), others.end(),
+    [&](int p)
     {
-      return false;
-    }
-  }
-  return true;
+      return std::abs(glm::dot(
+               normal, Vectors::Difference(this->GetPoint(p), this->GetPoint(points[0])))) <=
+        this->Flatness * length;
+    });
 }
 
 std::string ClosedSurface::ConnectEdges()
@@ -314,11 +300,14 @@ std::string ClosedSurface::ConnectEdges()
     std::size_t Triangle;
   };
   std::vector<Edge> edges;
-  for (std::size_t i = 0; i < this->Triangles.size(); ++i)
+  for (std::size_t t = 0; t < this->Triangles.size(); ++t)
   {
-    const int a = this->Triangles[i];
-    const int b = this->Triangles[i % 3 == 2 ? i - 2 : i + 1];
-    edges.push_back({ std::min(a, b), std::max(a, b), i / 3 });
+    for (int i = 0; i < 3; ++i)
+    {
+      const int a = this->Triangles[t].Points[i];
+      const int b = this->Triangles[t].Points[(i + 1) % 3];
+      edges.push_back({ std::min(a, b), std::max(a, b), t });
+    }
   }
   std::sort(edges.begin(), edges.end(),
     [](const Edge& a, const Edge& b)
@@ -326,7 +315,7 @@ std::string ClosedSurface::ConnectEdges()
   // Triangles that were split within rounding are one plane still.
   this->Flatness = 2.0 * RoundingSteps * FindLargest(this->Points.Coordinates) *
     std::numeric_limits<double>::epsilon();
-  std::vector<std::vector<std::size_t>> neighbors(this->CellIds.size());
+  std::vector<std::vector<std::size_t>> neighbors(this->Triangles.size());
   std::size_t next = 0;
   for (std::size_t i = 0; i < edges.size(); i = next)
   {
@@ -341,7 +330,7 @@ std::string ClosedSurface::ConnectEdges()
       return "The surface is open: the edge from point " +
         std::to_string(this->Points.SourceIds[edges[i].From]) + " to point " +
         std::to_string(this->Points.SourceIds[edges[i].To]) + " belongs to cell " +
-        std::to_string(this->CellIds[edges[i].Triangle]) + " alone.";
+        std::to_string(this->Triangles[edges[i].Triangle].Cell) + " alone.";
     }
     if (next == i + 2)
     {
@@ -349,15 +338,15 @@ std::string ClosedSurface::ConnectEdges()
       neighbors[edges[i + 1].Triangle].push_back(edges[i].Triangle);
     }
   }
-  this->Patches.assign(this->CellIds.size(), -1);
   std::vector<std::size_t> stack;
-  for (std::size_t first = 0; first < this->Patches.size(); ++first)
+  for (std::size_t first = 0; first < this->Triangles.size(); ++first)
   {
-    if (this->Patches[first] >= 0)
+    if (this->Triangles[first].Patch >= 0)
     {
       continue;
     }
-    this->Patches[first] = this->NumberOfPatches++;
+    const int patch = this->NumberOfPatches++;
+    this->Triangles[first].Patch = patch;
     stack.push_back(first);
     while (!stack.empty())
     {
@@ -367,9 +356,9 @@ std::string ClosedSurface::ConnectEdges()
       {
         // All triangles are compared with the first, so that a gently curved surface is not one
         // plane.
-        if (this->Patches[other] < 0 && this->AreCoplanar(first, other))
+        if (this->Triangles[other].Patch < 0 && this->AreCoplanar(first, other))
         {
-          this->Patches[other] = this->Patches[first];
+          this->Triangles[other].Patch = patch;
           stack.push_back(other);
         }
       }

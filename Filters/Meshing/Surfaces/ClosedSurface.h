@@ -5,7 +5,10 @@
 #include "Mesh/DistinctPoints.h"
 #include "TetGen/TetGenProblem.h"
 
+#include <array>
 #include <map>
+
+#include <glm/vec3.hpp>
 
 namespace interlume
 {
@@ -21,6 +24,18 @@ namespace interlume
 class ClosedSurface
 {
 public:
+  struct Triangle
+  {
+    std::array<int, 3> Points; ///< indices of distinct points
+    vtkIdType Cell = 0;        ///< the last input cell that has it
+    /// The number of input triangles that it is a part of: parts that touch share it.
+    int Layers = 1;
+    int Origin = -1; ///< the input triangle that it is a part of
+    /// Its planar patch, counted from 0: triangles of one plane, connected by edges that no other
+    /// triangle has.
+    int Patch = -1;
+  };
+
   ClosedSurface() = default;
   /// Takes closed triangles of \a points.
   ClosedSurface(const DistinctPoints& points, const std::vector<int>& triangles);
@@ -35,18 +50,14 @@ public:
   /// boundary is preserved, each stays.
   TetGenProblem MakeProblem(bool preserveBoundary) const;
 
+  const double* GetPoint(int p) const { return &this->Points.Coordinates[3 * p]; }
+  /// Returns the normal of three points, as long as twice the area of their triangle.
+  glm::dvec3 GetNormal(const std::array<int, 3>& points) const;
+
   DistinctPoints Points;
-  std::vector<int> Triangles;     ///< three indices of distinct points a triangle
-  std::vector<vtkIdType> CellIds; ///< the last input cell that has each triangle
-  /// The number of input triangles that each triangle is a part of: parts that touch share it.
-  std::vector<int> Layers;
-  /// The input triangle that each triangle is a part of, and the points of those.
-  std::vector<int> Origins;
-  std::vector<int> InputTriangles;
+  std::vector<Triangle> Triangles;
+  std::vector<Triangle> InputTriangles; ///< as they were before they were split
   vtkIdType NumberOfSplitTriangles = 0;
-  /// The planar patch of each triangle, counted from 0: triangles of one plane, connected by edges
-  /// that no other triangle has.
-  std::vector<int> Patches;
   int NumberOfPatches = 0;
 
 private:

@@ -2,13 +2,13 @@
 #include "Surfaces/SurfaceContacts.h"
 
 #include "Common/Vectors.h"
-#include "Surfaces/ClosedSurface.h"
 #include "Surfaces/PlanarTriangulation.h"
 #include "Surfaces/TrianglePairs.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 
 namespace interlume
@@ -40,14 +40,9 @@ SurfaceContacts::SurfaceContacts(ClosedSurface& surface, double tolerance)
 {
 }
 
-const double* SurfaceContacts::GetPoint(int p) const
-{
-  return &this->Surface.Points.Coordinates[3 * p];
-}
-
 int SurfaceContacts::GetCorner(int t, int i) const
 {
-  return this->Surface.Triangles[3 * t + i % 3];
+  return this->Surface.Triangles[t].Points[i % 3];
 }
 
 SurfaceContacts::Edge SurfaceContacts::GetEdge(int t, int i) const
@@ -64,9 +59,7 @@ bool SurfaceContacts::HasCorner(int t, int p) const
 
 glm::dvec3 SurfaceContacts::GetNormal(int t) const
 {
-  const double* a = this->GetPoint(this->GetCorner(t, 0));
-  return glm::normalize(glm::cross(Difference(this->GetPoint(this->GetCorner(t, 1)), a),
-    Difference(this->GetPoint(this->GetCorner(t, 2)), a)));
+  return glm::normalize(this->Surface.GetNormal(this->Surface.Triangles[t].Points));
 }
 
 bool SurfaceContacts::Find()
@@ -77,19 +70,16 @@ bool SurfaceContacts::Find()
   this->PointsOnEdges.clear();
   this->PointsInside.clear();
   this->EdgesInside.clear();
-  this->Parents.resize(this->Surface.CellIds.size());
-  for (std::size_t t = 0; t < this->Parents.size(); ++t)
-  {
-    this->Parents[t] = static_cast<int>(t);
-  }
-  TrianglePairs::ForEach(this->Surface.Points.Coordinates, this->Surface.Triangles, this->Tolerance,
-    [this](int s, int t) { this->FindInPair(s, t); });
+  this->Parents.resize(this->Surface.Triangles.size());
+  std::iota(this->Parents.begin(), this->Parents.end(), 0);
+  TrianglePairs::ForEach(
+    this->Surface, this->Tolerance, [this](int s, int t) { this->FindInPair(s, t); });
   return this->FirstCells[0] != std::numeric_limits<vtkIdType>::max();
 }
 
 void SurfaceContacts::Note(int s, int t)
 {
-  const auto cells = std::minmax(this->Surface.CellIds[s], this->Surface.CellIds[t]);
+  const auto cells = std::minmax(this->Surface.Triangles[s].Cell, this->Surface.Triangles[t].Cell);
   this->FirstCells =
     std::min(this->FirstCells, std::array<vtkIdType, 2>{ { cells.first, cells.second } });
 }
@@ -290,13 +280,12 @@ int SurfaceContacts::FindRoot(int t)
   return t;
 }
 
-void SurfaceContacts::Lists::Add(
-  const ClosedSurface& surface, int t, const std::array<int, 3>& corners, int layers)
+void SurfaceContacts::AddPart(int t, const std::array<int, 3>& points, int layers)
 {
-  this->Triangles.insert(this->Triangles.end(), corners.begin(), corners.end());
-  this->CellIds.push_back(surface.CellIds[t]);
-  this->Origins.push_back(surface.Origins[t]);
-  this->Layers.push_back(layers);
+  ClosedSurface::Triangle part = this->Surface.Triangles[t];
+  part.Points = points;
+  part.Layers = layers;
+  this->Result.push_back(part);
 }
 
 std::string SurfaceContacts::Split()
@@ -331,15 +320,10 @@ std::string SurfaceContacts::Split()
     }
     else
     {
-      this->Result.Add(this->Surface, t,
-        { { this->GetCorner(t, 0), this->GetCorner(t, 1), this->GetCorner(t, 2) } },
-        this->Surface.Layers[t]);
+      this->Result.push_back(this->Surface.Triangles[t]);
     }
   }
-  this->Surface.Triangles = std::move(this->Result.Triangles);
-  this->Surface.CellIds = std::move(this->Result.CellIds);
-  this->Surface.Layers = std::move(this->Result.Layers);
-  this->Surface.Origins = std::move(this->Result.Origins);
+  this->Surface.Triangles = std::move(this->Result);
   return std::string();
 }
 
@@ -455,7 +439,7 @@ std::string SurfaceContacts::SplitTogether(const std::vector<int>& members)
   const PlanarTriangulation plane(places, segments);
   if (!plane.IsGood())
   {
-    return "Cell " + std::to_string(this->Surface.CellIds[members.front()]) +
+    return "Cell " + std::to_string(this->Surface.Triangles[members.front()].Cell) +
       " touches other cells in a way that cannot be split. Make the surfaces share their points "
       "there.";
   }
@@ -518,10 +502,9 @@ void SurfaceContacts::TakeCovered(const PlanarTriangulation& plane, const std::v
       int layers = 0;
       for (int member : covers[t])
       {
-        layers += this->Surface.Layers[member];
+        layers += this->Surface.Triangles[member].Layers;
       }
-      this->Result.Add(
-        this->Surface, *covers[t].rbegin(), { { ids[p[0]], ids[p[1]], ids[p[2]] } }, layers);
+      this->AddPart(*covers[t].rbegin(), { { ids[p[0]], ids[p[1]], ids[p[2]] } }, layers);
     }
   }
 }

@@ -2,7 +2,7 @@
 #ifndef interlume_SurfaceContacts_h
 #define interlume_SurfaceContacts_h
 
-#include "vtkType.h"
+#include "Surfaces/ClosedSurface.h"
 
 #include <array>
 #include <map>
@@ -15,8 +15,6 @@
 
 namespace interlume
 {
-
-class ClosedSurface;
 
 /**
  * @class   SurfaceContacts
@@ -48,18 +46,6 @@ public:
 private:
   using Edge = std::array<int, 2>; ///< points in ascending order
 
-  /// Triangles of the split surface, as ClosedSurface has them.
-  struct Lists
-  {
-    std::vector<int> Triangles;
-    std::vector<vtkIdType> CellIds;
-    std::vector<int> Layers;
-    std::vector<int> Origins;
-
-    /// Adds a part of triangle \a t.
-    void Add(const ClosedSurface& surface, int t, const std::array<int, 3>& corners, int layers);
-  };
-
   void FindInPair(int s, int t);
   /// Finds the corners of \a s that lie on \a t. \a distances are theirs from its plane.
   void FindPoints(int s, int t, const std::array<double, 3>& distances);
@@ -81,7 +67,9 @@ private:
   void TakeCovered(const class PlanarTriangulation& plane, const std::vector<int>& ids,
     const std::map<Edge, std::vector<int>>& pieces);
 
-  const double* GetPoint(int p) const;
+  /// Adds a part of triangle \a t to the split surface.
+  void AddPart(int t, const std::array<int, 3>& points, int layers);
+  const double* GetPoint(int p) const { return this->Surface.GetPoint(p); }
   int GetCorner(int t, int i) const;
   Edge GetEdge(int t, int i) const;
   bool HasCorner(int t, int p) const;
@@ -97,7 +85,7 @@ private:
   std::map<int, std::set<Edge>> EdgesInside;             ///< of triangles, from others
   std::map<std::pair<Edge, Edge>, glm::dvec3> Crossings; ///< of edges
   std::vector<int> Parents; ///< of triangles that overlap in a plane: a path to the first one
-  Lists Result;
+  std::vector<ClosedSurface::Triangle> Result;
 };
 
 }

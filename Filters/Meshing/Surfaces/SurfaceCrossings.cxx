@@ -6,6 +6,7 @@
 #include "Surfaces/TrianglePairs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -38,15 +39,19 @@ int CertainSign(const double* a, const double* b, const double* c, const double*
 
 struct Triangle
 {
-  const int* Indices;
-  const double* Coordinates;
+  const ClosedSurface& Surface;
+  const std::array<int, 3>& Points;
 
-  const double* operator[](int corner) const { return &this->Coordinates[3 * Indices[corner]]; }
+  const double* operator[](int corner) const
+  {
+    return this->Surface.GetPoint(this->Points[corner]);
+  }
 };
 
 bool HaveCommonPoint(const Triangle& s, const Triangle& t)
 {
-  return std::find_first_of(s.Indices, s.Indices + 3, t.Indices, t.Indices + 3) != s.Indices + 3;
+  return std::find_first_of(s.Points.begin(), s.Points.end(), t.Points.begin(), t.Points.end()) !=
+    s.Points.end();
 }
 
 bool HasEdgeThrough(const Triangle& s, const Triangle& t)
@@ -75,17 +80,16 @@ bool HasEdgeThrough(const Triangle& s, const Triangle& t)
 
 std::vector<vtkIdType> SurfaceCrossings::FindCells(const ClosedSurface& surface)
 {
-  const std::vector<double>& points = surface.Points.Coordinates;
   std::vector<vtkIdType> cells;
-  TrianglePairs::ForEach(points, surface.Triangles, 0.0,
+  TrianglePairs::ForEach(surface, 0.0,
     [&](int one, int other)
     {
-      const Triangle s{ &surface.Triangles[3 * one], points.data() };
-      const Triangle t{ &surface.Triangles[3 * other], points.data() };
+      const Triangle s{ surface, surface.Triangles[one].Points };
+      const Triangle t{ surface, surface.Triangles[other].Points };
       if (!HaveCommonPoint(s, t) && (HasEdgeThrough(s, t) || HasEdgeThrough(t, s)))
       {
-        cells.push_back(surface.CellIds[one]);
-        cells.push_back(surface.CellIds[other]);
+        cells.push_back(surface.Triangles[one].Cell);
+        cells.push_back(surface.Triangles[other].Cell);
       }
     });
   std::sort(cells.begin(), cells.end());

@@ -15,13 +15,6 @@ namespace
 {
 using Triple = std::array<int, 3>;
 
-Triple Sorted(int a, int b, int c)
-{
-  Triple triple{ { a, b, c } };
-  std::sort(triple.begin(), triple.end());
-  return triple;
-}
-
 struct Wall
 {
   Triple Points;
@@ -36,18 +29,18 @@ public:
   {
     for (std::size_t i = 0; i < solution.Markers.size(); ++i)
     {
-      const int* points = &solution.Triangles[3 * i];
-      this->List.push_back({ Sorted(points[0], points[1], points[2]), solution.Markers[i] });
+      Wall wall{ {}, solution.Markers[i] };
+      std::copy_n(&solution.Triangles[3 * i], 3, wall.Points.begin());
+      std::sort(wall.Points.begin(), wall.Points.end());
+      this->List.push_back(wall);
     }
     std::sort(this->List.begin(), this->List.end(),
       [](const Wall& a, const Wall& b) { return a.Points < b.Points; });
   }
 
-  /// Returns the marker of the facet that has the triangle opposite corner \a i; 0 for none.
-  int Find(const int* tetrahedron, int i) const
+  /// Returns the marker of the facet that has the triangle \a points, ascending; 0 for none.
+  int Find(const Triple& points) const
   {
-    const Triple points =
-      Sorted(tetrahedron[(i + 1) % 4], tetrahedron[(i + 2) % 4], tetrahedron[(i + 3) % 4]);
     const auto found = std::lower_bound(this->List.begin(), this->List.end(), points,
       [](const Wall& wall, const Triple& key) { return wall.Points < key; });
     return found != this->List.end() && found->Points == points ? found->Marker : 0;
@@ -97,7 +90,7 @@ SurfaceRegions::SurfaceRegions(const TetGenSolution& solution,
       for (int i = 0; i < 4; ++i)
       {
         const int neighbor = solution.Neighbors[4 * tetrahedron + i];
-        const int marker = walls.Find(&solution.Tetrahedra[4 * tetrahedron], i);
+        const int marker = walls.Find(solution.GetFace(4 * tetrahedron + i));
         if (marker > 0 && marker <= static_cast<int>(cellIds.size()))
         {
           regions[number].FirstCell = std::min(regions[number].FirstCell, cellIds[marker - 1]);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/TrianglePairs.h"
 
+#include "Surfaces/ClosedSurface.h"
+
 #include <algorithm>
 #include <limits>
 #include <tuple>
@@ -68,14 +70,15 @@ int ChooseAxis(const std::vector<Extents>& boxes)
 }
 }
 
-void TrianglePairs::ForEach(const std::vector<double>& points, const std::vector<int>& triangles,
-  double distance, const std::function<void(int, int)>& function)
+void TrianglePairs::ForEach(
+  const ClosedSurface& surface, double distance, const std::function<void(int, int)>& function)
 {
   std::vector<Extents> boxes;
-  for (std::size_t t = 0; t < triangles.size(); t += 3)
+  for (const ClosedSurface::Triangle& triangle : surface.Triangles)
   {
-    boxes.emplace_back(static_cast<int>(t / 3), &points[3 * triangles[t]],
-      &points[3 * triangles[t + 1]], &points[3 * triangles[t + 2]], distance);
+    const auto& p = triangle.Points;
+    boxes.emplace_back(static_cast<int>(boxes.size()), surface.GetPoint(p[0]),
+      surface.GetPoint(p[1]), surface.GetPoint(p[2]), distance);
   }
   const int axis = ChooseAxis(boxes);
   std::sort(boxes.begin(), boxes.end(),

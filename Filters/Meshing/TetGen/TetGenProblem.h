@@ -2,6 +2,9 @@
 #ifndef interlume_TetGenProblem_h
 #define interlume_TetGenProblem_h
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -36,6 +39,14 @@ struct TetGenSolution
   std::vector<int> Triangles;  ///< three a triangle on a facet of the problem
   std::vector<int> Markers;    ///< the marker of each of these triangles
 
+  /// Returns the points of the face opposite corner \a i % 4 of tetrahedron \a i / 4, ascending.
+  std::array<int, 3> GetFace(std::size_t i) const
+  {
+    const int* p = &this->Tetrahedra[i - i % 4];
+    std::array<int, 3> face{ { p[(i + 1) % 4], p[(i + 2) % 4], p[(i + 3) % 4] } };
+    std::sort(face.begin(), face.end());
+    return face;
+  }
   int GetNumberOfPoints() const { return static_cast<int>(this->Points.size() / 3); }
   int GetNumberOfTetrahedra() const { return static_cast<int>(this->Tetrahedra.size() / 4); }
 };
