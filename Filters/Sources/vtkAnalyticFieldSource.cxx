@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAnalyticFieldSource.h"
 
-#include "Analytic/ElementaryFields.h"
 #include "Common/NamedValue.h"
 #include "Common/Vectors.h"
 #include "Sampling/ClampedValue.h"
@@ -12,8 +11,11 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <cmath>
 
 vtkStandardNewMacro(vtkAnalyticFieldSource);
 
@@ -50,15 +52,23 @@ interlume::FieldSampler::Field vtkAnalyticFieldSource::GetFieldAtTime(double t) 
   switch (this->Field)
   {
     case WAVE:
-      return interlume::ElementaryFields::Wave{ t };
+      return [t](const double x[3])
+      { return x[2] - 0.4 * std::cos(vtkMath::Pi() * (x[0] + 0.25 * x[1] - 0.5 * t)); };
     case LINEAR:
-      return interlume::ElementaryFields::Linear{ t, this->Constant, glm::make_vec3(this->Gradient),
-        this->Rate };
+      return [t, constant = this->Constant, gradient = glm::make_vec3(this->Gradient),
+               rate = this->Rate](const double x[3])
+      { return constant + glm::dot(gradient, glm::make_vec3(x)) + rate * t; };
     case BALL:
-      return interlume::ElementaryFields::Ball{ Advance(this->Center, this->Velocity, t),
-        this->Radius + this->Growth * t };
+      return [center = Advance(this->Center, this->Velocity, t),
+               radius = this->Radius + this->Growth * t](const double x[3])
+      { return glm::distance(glm::make_vec3(x), center) - radius; };
     case GYROID:
-      return interlume::ElementaryFields::Gyroid{ Advance(this->Center, this->Velocity, t) };
+      return [shift = Advance(this->Center, this->Velocity, t)](const double x[3])
+      {
+        const glm::dvec3 angle = 2.0 * vtkMath::Pi() * (glm::make_vec3(x) - shift);
+        return std::sin(angle[0]) * std::cos(angle[1]) + std::sin(angle[1]) * std::cos(angle[2]) +
+          std::sin(angle[2]) * std::cos(angle[0]);
+      };
     default:
       return interlume::VortexTubes(t);
   }

@@ -134,11 +134,6 @@ std::vector<CasePatch::PointList> CasePatch::GetFaces(const Facet& facet) const
   faces.reserve(this->Hull.GetFacets().size());
   for (const PointSet& face : this->GetFacesOf(facet.HullPoints))
   {
-    if (this->Cell.Dimension != 4)
-    {
-      faces.push_back(this->GetEdges(face));
-      continue;
-    }
     PointList polygon = this->ChainPolygon(face);
     const auto inside = std::find_if(facet.Points.begin(), facet.Points.end(),
       [&](int edge) { return std::find(polygon.begin(), polygon.end(), edge) == polygon.end(); });

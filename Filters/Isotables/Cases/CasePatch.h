@@ -49,8 +49,8 @@ public:
   const ConvexHull& GetHull() const { return this->Hull; }
 
   /**
-   * Returns the faces of a facet, one dimension less. In four dimensions, where a facet is a solid,
-   * its polygons are in cyclic order and seen counterclockwise from outside of the solid.
+   * Returns the faces of a facet in four dimensions, a solid, as polygons in cyclic order, seen
+   * counterclockwise from outside of the solid.
    */
   std::vector<PointList> GetFaces(const Facet& facet) const;
 
