@@ -2,8 +2,8 @@
 #include "vtkImplicitFlowVolumeMapper.h"
 
 #include "Draw/FlowVolumeRenderer.h"
+#include "Offscreen/PeelingDeferral.h"
 
-#include "vtkDepthPeels.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"
@@ -15,7 +15,7 @@
 vtkStandardNewMacro(vtkImplicitFlowVolumeMapper);
 
 vtkImplicitFlowVolumeMapper::vtkImplicitFlowVolumeMapper()
-  : Peels(std::make_unique<vtkDepthPeels>())
+  : Peels(std::make_unique<interlume::PeelingDeferral>())
   , Renderer(std::make_unique<interlume::FlowVolumeRenderer>())
 {
 }
@@ -164,7 +164,7 @@ void vtkImplicitFlowVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volum
   {
     return;
   }
-  if (this->Peels->TakeNews())
+  if (this->Peels->ConsumeFirstDeferral())
   {
     vtkWarningMacro(<< "UseDepthPeelingForVolumes is not supported: the volume is drawn over "
                        "translucent polygons, as without it");

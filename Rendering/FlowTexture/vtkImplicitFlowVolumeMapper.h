@@ -10,10 +10,9 @@
 #include <memory> // for what is kept from picture to picture
 #include <string> // for errors
 
-class vtkDepthPeels;
-
 namespace interlume
 {
+class PeelingDeferral;
 class FlowVolumeRenderer;
 }
 
@@ -316,7 +315,7 @@ private:
   std::string ErrorText;
   vtkMTimeType ErrorTime = 0;
   vtkMTimeType WarningTime = 0;
-  std::unique_ptr<vtkDepthPeels> Peels;
+  std::unique_ptr<interlume::PeelingDeferral> Peels;
   std::unique_ptr<interlume::FlowVolumeRenderer> Renderer;
 };
 

@@ -6,7 +6,7 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
-#include "vtkDepthPeels.h"
+#include "Offscreen/PeelingDeferral.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
@@ -34,7 +34,7 @@ void SetValue(vtkObject* mapper, Own& own, Value value)
 }
 
 vtkShadowedSliceMapper::vtkShadowedSliceMapper()
-  : Peels(std::make_unique<vtkDepthPeels>())
+  : Peels(std::make_unique<interlume::PeelingDeferral>())
   , Image(std::make_unique<interlume::VolumeImage>())
 {
 }
@@ -121,7 +121,7 @@ void vtkShadowedSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   {
     return;
   }
-  if (this->Peels->TakeNews())
+  if (this->Peels->ConsumeFirstDeferral())
   {
     vtkWarningMacro(<< "UseDepthPeelingForVolumes is not supported: the volume is drawn over "
                        "translucent polygons, as without it");

@@ -12,7 +12,6 @@
 
 class vtkColorTransferFunction;
 class vtkDataArray;
-class vtkDepthPeels;
 class vtkImageData;
 class vtkLight;
 class vtkPiecewiseFunction;
@@ -20,6 +19,7 @@ class vtkSliceMatter;
 
 namespace interlume
 {
+class PeelingDeferral;
 class VolumeImage;
 }
 
@@ -526,7 +526,7 @@ private:
   std::string ErrorText;
   vtkMTimeType WarningTime = 0;
   vtkSliceMatter* Matter = nullptr;
-  std::unique_ptr<vtkDepthPeels> Peels;
+  std::unique_ptr<interlume::PeelingDeferral> Peels;
   std::unique_ptr<interlume::VolumeImage> Image;
 };
 

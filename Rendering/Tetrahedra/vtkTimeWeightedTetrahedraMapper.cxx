@@ -5,6 +5,8 @@
 #include "Common/FiniteNumbers.h"
 #include "Common/GridCheck.h"
 #include "Draw/TetrahedraRenderer.h"
+#include "Loader/SoftwareOpenGL.h"
+#include "Offscreen/PeelingDeferral.h"
 #include "Pieces/PieceExchange.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -12,7 +14,6 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkDepthPeels.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkMultiProcessController.h"
@@ -22,7 +23,6 @@
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkSoftwareOpenGL.h"
 #include "vtkTexture.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
@@ -43,7 +43,7 @@ const char* const DELTA_T = "DeltaT";
 vtkStandardNewMacro(vtkTimeWeightedTetrahedraMapper);
 
 vtkTimeWeightedTetrahedraMapper::vtkTimeWeightedTetrahedraMapper()
-  : Peels(std::make_unique<vtkDepthPeels>())
+  : Peels(std::make_unique<interlume::PeelingDeferral>())
   , Renderer(std::make_unique<interlume::TetrahedraRenderer>())
 {
   this->SetNumberOfInputPorts(2);
@@ -211,7 +211,7 @@ bool vtkTimeWeightedTetrahedraMapper::DrawsInSoftware(vtkRenderWindow* window) c
   }
   // Before the first picture the window has no context to ask.
   openGL->Initialize();
-  return vtkSoftwareOpenGL::IsUsed(openGL);
+  return interlume::SoftwareOpenGL::IsUsed(openGL);
 }
 
 bool vtkTimeWeightedTetrahedraMapper::GatherPieces(
@@ -310,7 +310,7 @@ void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* v
   {
     return;
   }
-  if (this->Peels->TakeNews())
+  if (this->Peels->ConsumeFirstDeferral())
   {
     vtkWarningMacro(<< "UseDepthPeelingForVolumes is not supported: the volume is drawn over "
                        "translucent polygons, as without it");

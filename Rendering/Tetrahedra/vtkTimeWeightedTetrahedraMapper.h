@@ -10,7 +10,6 @@
 #include <memory> // for what is kept from picture to picture
 #include <string> // for array names
 
-class vtkDepthPeels;
 class vtkMultiProcessController;
 class vtkPolyData;
 class vtkRenderWindow;
@@ -18,6 +17,7 @@ class vtkUnstructuredGrid;
 
 namespace interlume
 {
+class PeelingDeferral;
 class PieceExchange;
 class TetrahedraRenderer;
 struct TetrahedraArrays;
@@ -284,7 +284,7 @@ private:
   vtkTetrahedraReport Report;
   /// The other pieces of the volume; null where the input is drawn alone.
   std::unique_ptr<interlume::PieceExchange> Pieces;
-  std::unique_ptr<vtkDepthPeels> Peels;
+  std::unique_ptr<interlume::PeelingDeferral> Peels;
   std::unique_ptr<interlume::TetrahedraRenderer> Renderer;
   /// The modification time of the input and the mapper when the last error was given.
   vtkMTimeType ErrorTime = 0;

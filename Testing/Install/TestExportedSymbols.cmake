@@ -1,18 +1,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
 cmake_minimum_required(VERSION 3.16)
-# No library shows more than public classes and those shared within the project: each defined symbol is of a
-# class with a public header, or one of SHARED_CLASSES in namespace interlume. LIBRARIES are the files. Both
-# lists have | between the items.
+# No library shows more than public classes and those shared within the project: each defined symbol is of
+# a class with a public header, or of one that the export macro marks in a private header.
+# LIBRARIES are the files, with | between them.
 string(REPLACE "|" ";" LIBRARIES "${LIBRARIES}")
-string(REPLACE "|" ";" SHARED_CLASSES "${SHARED_CLASSES}")
 file(GLOB headers "${SOURCE_DIR}/Filters/*/vtk*.h" "${SOURCE_DIR}/Rendering/*/vtk*.h")
 set(classes)
-foreach (class IN LISTS SHARED_CLASSES)
-  list(APPEND classes "interlume::${class}")
-endforeach ()
 foreach (header IN LISTS headers)
   get_filename_component(class "${header}" NAME_WE)
   list(APPEND classes "${class}")
+endforeach ()
+file(GLOB headers "${SOURCE_DIR}/Filters/*/*/*.h" "${SOURCE_DIR}/Rendering/*/*/*.h")
+foreach (header IN LISTS headers)
+  file(STRINGS "${header}" marked REGEX "INTERLUME[A-Z]+_EXPORT")
+  if (marked)
+    get_filename_component(class "${header}" NAME_WE)
+    list(APPEND classes "interlume::${class}")
+  endif ()
 endforeach ()
 list(LENGTH LIBRARIES number)
 set(all 0)

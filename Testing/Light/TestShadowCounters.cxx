@@ -22,7 +22,7 @@
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkShadowedSliceMapper.h"
-#include "vtkSoftwareOpenGL.h"
+#include "Loader/SoftwareOpenGL.h"
 #include "vtkVolumeProperty.h"
 
 namespace
@@ -204,7 +204,7 @@ void TestBlocks(Check& check)
   // A card drops fragments by itself.
   VolumeStage stage(scene.Size);
   stage.Render();
-  const bool isSoftware = vtkSoftwareOpenGL::IsUsed(
+  const bool isSoftware = interlume::SoftwareOpenGL::IsUsed(
     vtkOpenGLRenderWindow::SafeDownCast(stage.GetRenderer()->GetRenderWindow()));
   const auto isEmptyFirst = [](const Report& report)
   { return report.Features.find("empty-first") != std::string::npos; };

@@ -5,7 +5,7 @@
 
 #include "vtkCommand.h"
 #include "vtkFloatArray.h"
-#include "vtkImageQuad.h"
+#include "Offscreen/ImageQuad.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderWindow.h"
@@ -45,10 +45,10 @@ public:
     this->Quad.ReleaseGraphicsResources(window);
   }
   std::string Features;
-  vtkImageQuad::Share Share{ { 1.0, 1.0 } };
+  interlume::ImageQuad::Share Share{ { 1.0, 1.0 } };
 
 private:
-  vtkImageQuad Quad;
+  interlume::ImageQuad Quad;
 };
 
 // The picture's channel at x of 0 to 1, between the centres of its pixels.

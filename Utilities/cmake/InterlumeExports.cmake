@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # interlume_export_public(MODULE...): of each module's library, only the public classes are visible to
-# others: those of the headers that are installed. Private parts, and what the compiler makes of
-# templates for them, stay inside. A module may share private classes with the others of the project: those of
-# namespace interlume that its property INTERLUME_SHARED_CLASSES lists. By the linker and not by the compiler, so that tests can have the
-# private parts' objects.
+# others: those of the headers that are installed, and those of private headers that the export macro
+# marks for other modules. Private parts, and what the compiler makes of templates for them, stay inside.
+# By the linker and not by the compiler, so that tests can have the private parts' objects.
 function (interlume_export_public)
   if (NOT UNIX OR APPLE OR NOT BUILD_SHARED_LIBS)
     return()
@@ -12,9 +11,18 @@ function (interlume_export_public)
     string(REPLACE "Interlume::" "" library "${module}")
     get_target_property(folder ${library} SOURCE_DIR)
     file(GLOB headers RELATIVE "${folder}" CONFIGURE_DEPENDS "${folder}/vtk*.h")
-    set(patterns)
+    list(TRANSFORM headers REPLACE "\\.h$" "")
+    set(classes ${headers})
+    file(GLOB headers CONFIGURE_DEPENDS "${folder}/*/*.h")
     foreach (header IN LISTS headers)
-      get_filename_component(class "${header}" NAME_WE)
+      file(STRINGS "${header}" marked REGEX "INTERLUME[A-Z]+_EXPORT")
+      if (marked)
+        get_filename_component(class "${header}" NAME_WE)
+        list(APPEND classes "interlume::${class}")
+      endif ()
+    endforeach ()
+    set(patterns)
+    foreach (class IN LISTS classes)
       # A blank is the sign ? here: a pattern in quotes could have no star.
       string(APPEND patterns "      ${class}::*;\n")
       foreach (kind IN ITEMS typeinfo?for typeinfo?name?for vtable?for VTT?for)
@@ -23,13 +31,6 @@ function (interlume_export_public)
       foreach (kind IN ITEMS guard?variable?for non-virtual?thunk?to virtual?thunk?to)
         string(APPEND patterns "      ${kind}?${class}::*;\n")
       endforeach ()
-    endforeach ()
-    get_target_property(shared ${library} INTERLUME_SHARED_CLASSES)
-    if (NOT shared)
-      set(shared)
-    endif ()
-    foreach (class IN LISTS shared)
-      string(APPEND patterns "      interlume::${class}::*;\n")
     endforeach ()
     set(script "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${library}.exports")
     file(GENERATE OUTPUT "${script}" CONTENT

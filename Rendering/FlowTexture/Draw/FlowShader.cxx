@@ -4,6 +4,7 @@
 #include "Draw/FlowPaints.h"
 #include "Draw/FlowView.h"
 #include "Grid/FlowGrid.h"
+#include "Offscreen/ShaderFeatures.h"
 
 #include "InterlumeFlowCell.h"
 #include "InterlumeFlowInflow.h"
@@ -13,7 +14,6 @@
 #include "InterlumeFlowVolumeFS.h"
 #include "InterlumeFlowWalk.h"
 #include "vtkImplicitFlowVolumeSettings.h"
-#include "vtkShaderFeatures.h"
 
 #include <algorithm>
 #include <cctype>
@@ -121,7 +121,7 @@ FlowShader::FlowShader(const vtkImplicitFlowVolumeSettings& settings, const Part
   Replace(this->Source, "//INTERLUME::PAINTS", MakeInflow(paints));
   Replace(this->Source, "//INTERLUME::SHADE",
     parts.IsShaded ? std::string(InterlumeFlowShade) : std::string());
-  this->Source = vtkShaderFeatures::Insert(this->Source, this->Features);
+  this->Source = ShaderFeatures::Insert(this->Source, this->Features);
 }
 
 }

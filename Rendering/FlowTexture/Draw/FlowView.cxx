@@ -129,15 +129,15 @@ std::string FlowView::SetClipping(vtkPlaneCollection* planes)
 void FlowView::SetCropping(const Cuts& cuts)
 {
   const glm::dmat4 rows = glm::transpose(this->VolumeFromVoxels);
-  vtkCroppingRegions::Matrix toVolume;
+  CroppingRegions::Matrix toVolume;
   std::copy_n(glm::value_ptr(rows), 16, toVolume.begin());
-  this->Regions = vtkCroppingRegions(cuts.CroppingPlanes, cuts.CroppingFlags, toVolume);
-  vtkCroppingRegions::Box box;
+  this->Regions = CroppingRegions(cuts.CroppingPlanes, cuts.CroppingFlags, toVolume);
+  CroppingRegions::Box box;
   for (int axis = 0; axis < 3; ++axis)
   {
     box[axis] = { { this->BoxLower[axis], this->BoxUpper[axis] } };
   }
-  vtkCroppingRegions::Planes planes;
+  CroppingRegions::Planes planes;
   this->Regions.Cut(toVolume, box, planes);
   for (int axis = 0; axis < 3; ++axis)
   {

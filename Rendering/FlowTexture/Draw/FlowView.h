@@ -2,7 +2,7 @@
 #ifndef interlume_FlowView_h
 #define interlume_FlowView_h
 
-#include "vtkCroppingRegions.h"
+#include "Offscreen/CroppingRegions.h"
 
 #include <array>
 #include <string>
@@ -66,7 +66,7 @@ public:
   /// Planes in voxels: what has a positive value is kept.
   std::vector<glm::dvec4> ClippingPlanes;
   /// The regions that cropping leaves, with gaps or without.
-  vtkCroppingRegions Regions;
+  CroppingRegions Regions;
   /// The smallest distance of neighbouring voxels, and the length of the diagonal, in world units.
   double Spacing = 1.0;
   double Diagonal = 1.0;

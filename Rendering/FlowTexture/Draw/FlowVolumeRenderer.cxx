@@ -9,18 +9,17 @@
 #include "Draw/FlowTextures.h"
 #include "Draw/FlowUniforms.h"
 #include "Loader/ScopedState.h"
+#include "Loader/SoftwareOpenGL.h"
+#include "Offscreen/FloatTexture.h"
+#include "Offscreen/ImageQuad.h"
+#include "Offscreen/PropSelection.h"
+#include "Offscreen/SceneDepth.h"
 
 #include "vtkDataArray.h"
-#include "vtkFloatTarget.h"
-#include "vtkImageQuad.h"
-#include "vtkOpaqueProps.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPropSelection.h"
 #include "vtkRenderer.h"
-#include "vtkSceneDepth.h"
 #include "vtkShaderProgram.h"
-#include "vtkSoftwareOpenGL.h"
 #include "vtkTextureObject.h"
 #include "vtkTimerLog.h"
 #include "vtkVolume.h"
@@ -39,9 +38,9 @@ struct FlowVolumeRenderer::WindowResources
   vtkNew<vtkTextureObject> OpaqueDepth;
   vtkNew<vtkTextureObject> NoDepth;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
-  vtkImageQuad RayQuad;
-  vtkImageQuad ShowQuad;
-  vtkPropSelection Selection;
+  ImageQuad RayQuad;
+  ImageQuad ShowQuad;
+  PropSelection Selection;
 
   /// Frees what lines of sight are drawn into; afterwards no framebuffer may be bound.
   void ReleasePicture(vtkWindow* window)
@@ -146,7 +145,7 @@ std::string FlowVolumeRenderer::Update(FlowPicture& picture)
   report.SplitCells = this->Scene.Grid.SplitCells + this->Scene.Grid.SeamCells;
   report.EmptyCells = this->Scene.Grid.EmptyCells;
   report.NonFiniteSamples = this->Scene.Grid.NonFinite;
-  picture.Parts.IsSoftware = vtkSoftwareOpenGL::IsUsed(picture.Window);
+  picture.Parts.IsSoftware = SoftwareOpenGL::IsUsed(picture.Window);
   picture.Parts.HasSplitCells = this->Scene.Grid.SplitCells > 0;
   picture.Parts.HasSeamCells = this->Scene.Grid.SeamCells > 0;
   picture.Parts.HasEmptyCells = this->Scene.Grid.EmptyCells > 0;
@@ -196,10 +195,10 @@ std::string FlowVolumeRenderer::Draw(FlowPicture& picture, WindowResources& reso
 {
   vtkOpenGLRenderWindow* window = picture.Window;
   vtkTextureObject* depth = resources.OpaqueDepth;
-  if (vtkOpaqueProps::MayOcclude(picture.Renderer, picture.Volume))
+  if (SceneDepth::MayOcclude(picture.Renderer, picture.Volume))
   {
     depth->SetContext(window);
-    picture.Parts.HasOpaqueDepth = vtkSceneDepth::CopyTo(picture.Renderer, depth);
+    picture.Parts.HasOpaqueDepth = SceneDepth::CopyTo(picture.Renderer, depth);
   }
   else
   {
@@ -209,7 +208,7 @@ std::string FlowVolumeRenderer::Draw(FlowPicture& picture, WindowResources& reso
     picture.Asked.Settings, picture.Parts, this->Scene.Paints, this->Scene.View);
   picture.Report.Features = shader.GetNames();
   picture.Report.ImageBufferBytes =
-    vtkFloatTarget::Allocate(window, resources.Image, picture.Size[0], picture.Size[1], 4, true);
+    FloatTexture::Allocate(window, resources.Image, picture.Size[0], picture.Size[1], 4, true);
   if (picture.Report.ImageBufferBytes == 0)
   {
     return "the graphics card has no memory for a picture of floats";
@@ -231,7 +230,7 @@ std::string FlowVolumeRenderer::Draw(FlowPicture& picture, WindowResources& reso
     if (!picture.Parts.HasOpaqueDepth)
     {
       // The quad binds a texture; this one is not in the shader.
-      vtkFloatTarget::Allocate(window, resources.NoDepth, 1, 1, 1, false);
+      FloatTexture::Allocate(window, resources.NoDepth, 1, 1, 1, false);
       bound = resources.NoDepth;
     }
     resources.RayQuad.DrawWith(window, bound, shader.GetSource(),

@@ -6,13 +6,13 @@
 #include "Plan/SlicePolygons.h"
 
 #include "InterlumeSliceLayerFS.h"
-#include "vtkFloatTarget.h"
+#include "Offscreen/FloatTexture.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
-#include "vtkShaderFeatures.h"
+#include "Offscreen/ShaderFeatures.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -112,7 +112,7 @@ std::string EmitterSampleLayers::Allocate(
   const auto prepare = [&](vtkTextureObject* texture, int size, int layers)
   {
     const vtkIdType bytes =
-      vtkFloatTarget::Allocate(window, texture, size, layers * size, channels, true);
+      FloatTexture::Allocate(window, texture, size, layers * size, channels, true);
     this->Bytes += bytes;
     if (bytes > 0)
     {
@@ -146,7 +146,7 @@ std::string EmitterSampleLayers::Compile(vtkOpenGLRenderWindow* window, int chan
   const auto prepare = [&](SlicePass& pass, const std::string& features)
   {
     return pass.Prepare(
-      window, vtkShaderFeatures::Insert(InterlumeSliceLayerFS, light + features), this->Tiles);
+      window, ShaderFeatures::Insert(InterlumeSliceLayerFS, light + features), this->Tiles);
   };
   std::string error = prepare(this->Fill, "");
   error = error.empty() ? prepare(this->Join, " JOIN") : error;

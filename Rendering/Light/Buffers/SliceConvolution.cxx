@@ -5,7 +5,7 @@
 #include "Space/UnitVector.h"
 
 #include "InterlumeSliceBoxFS.h"
-#include "vtkFloatTarget.h"
+#include "Offscreen/FloatTexture.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -71,7 +71,7 @@ std::string SliceConvolution::Prepare(vtkOpenGLRenderWindow* window, const Light
   this->Planned = &light;
   this->Slab = -1;
   this->Rest = {};
-  this->Bytes = vtkFloatTarget::Allocate(
+  this->Bytes = FloatTexture::Allocate(
     window, this->Spare, light.BufferSize, light.BufferSize, channels, false);
   if (this->Bytes == 0)
   {

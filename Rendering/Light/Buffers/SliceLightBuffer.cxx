@@ -7,7 +7,7 @@
 #include "Loader/OpenGLFunctions.h"
 #include "Plan/SlicePolygons.h"
 
-#include "vtkFloatTarget.h"
+#include "Offscreen/FloatTexture.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -46,7 +46,7 @@ std::string SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const Image
   this->Planned = &light;
   this->IsWide = light.IsWide;
   this->Size = light.BufferSize;
-  this->Bytes = vtkFloatTarget::Allocate(
+  this->Bytes = FloatTexture::Allocate(
     window, this->Texture, this->Size, this->Size, image.GetLightChannels(), image.IsSmoothLookup);
   if (this->Bytes == 0)
   {
@@ -123,7 +123,7 @@ std::string SliceLightBuffer::PrepareVolume(
     {
       layer = vtkSmartPointer<vtkTextureObject>::New();
     }
-    const vtkIdType bytes = vtkFloatTarget::Allocate(
+    const vtkIdType bytes = FloatTexture::Allocate(
       window, layer, this->Size, this->Size, frame.Image->GetLightChannels(), false);
     if (bytes == 0)
     {

@@ -4,13 +4,13 @@
 #include "Loader/OpenGLFunctions.h"
 
 #include "InterlumeSliceOcclusionFS.h"
-#include "vtkFloatTarget.h"
+#include "Offscreen/FloatTexture.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
-#include "vtkShaderFeatures.h"
+#include "Offscreen/ShaderFeatures.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -25,7 +25,7 @@ vtkIdType SliceOcclusion::Prepare(vtkOpenGLRenderWindow* window,
   vtkOpenGLFramebufferObject* framebuffer, int width, int height, bool hasDepths)
 {
   this->Depth->SetContext(window);
-  if (!vtkFloatTarget::Fits(this->Depth, width, height))
+  if (!FloatTexture::Fits(this->Depth, width, height))
   {
     this->Depth->AllocateDepth(static_cast<unsigned int>(width), static_cast<unsigned int>(height),
       hasDepths ? vtkTextureObject::Fixed24 : vtkTextureObject::Fixed16);
@@ -58,7 +58,7 @@ void SliceOcclusion::Mark(
   if (!this->Quad || features != this->QuadFeatures)
   {
     this->QuadFeatures = features;
-    const std::string source = vtkShaderFeatures::Insert(InterlumeSliceOcclusionFS, features);
+    const std::string source = ShaderFeatures::Insert(InterlumeSliceOcclusionFS, features);
     this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, source.c_str(), nullptr);
   }
   else

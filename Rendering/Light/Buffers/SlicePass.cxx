@@ -8,7 +8,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLVertexArrayObject.h"
-#include "vtkShaderFeatures.h"
+#include "Offscreen/ShaderFeatures.h"
 #include "vtkShaderProgram.h"
 
 namespace interlume
@@ -21,7 +21,7 @@ SlicePass::~SlicePass() = default;
 std::string SlicePass::Prepare(vtkOpenGLRenderWindow* window, const std::string& source,
   vtkOpenGLBufferObject* vertices, bool isMarked)
 {
-  const std::string places = vtkShaderFeatures::Insert(InterlumeSliceVS, isMarked ? "MARKED" : "");
+  const std::string places = ShaderFeatures::Insert(InterlumeSliceVS, isMarked ? "MARKED" : "");
   this->IsMarked = isMarked;
   this->Program = window->GetShaderCache()->ReadyShaderProgram(places.c_str(), source.c_str(), "");
   if (!this->Program)

@@ -3,7 +3,7 @@
 
 #include "Loader/ScopedState.h"
 
-#include "vtkFloatTarget.h"
+#include "Offscreen/FloatTexture.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -29,7 +29,7 @@ vtkIdType PropDepths::GetBytes() const
 bool PropDepths::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
 {
   this->Texture->SetContext(window);
-  if (vtkFloatTarget::Fits(this->Texture, width, height))
+  if (FloatTexture::Fits(this->Texture, width, height))
   {
     return true;
   }

@@ -13,7 +13,7 @@
 #include "Sweeps/LightBufferImage.h"
 #include "Sweeps/SliceRasterizer.h"
 
-#include "vtkOpaqueProps.h"
+#include "Offscreen/SceneDepth.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTimerLog.h"
@@ -162,7 +162,7 @@ void SliceRenderer::UpdateView(vtkRenderer* renderer, const Volumes& volumes, do
   image.IsSmoothLookup = this->Settings.IsSmoothLookup;
   image.HasColoredLight = this->Settings.HasColoredLight;
   image.Scene = scene;
-  image.MayBeOccluded = vtkOpaqueProps::MayOcclude(renderer, volumes[0]->GetRequest().Volume);
+  image.MayBeOccluded = SceneDepth::MayOcclude(renderer, volumes[0]->GetRequest().Volume);
 }
 
 bool SliceRenderer::HasTooManySlices(

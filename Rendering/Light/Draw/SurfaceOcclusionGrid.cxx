@@ -12,14 +12,14 @@
 #include "Translucent/PaneMaps.h"
 
 #include "InterlumeSceneCellsFS.h"
-#include "vtkFloatTarget.h"
+#include "Offscreen/FloatTexture.h"
 #include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
-#include "vtkShaderFeatures.h"
+#include "Offscreen/ShaderFeatures.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -45,7 +45,7 @@ std::vector<float> DrawShares(vtkOpenGLRenderWindow* window, const SliceScene& s
   replace("//INTERLUME::CASTERS",
     (scene.Casters->HasViews() ? scene.Casters->GetSource() : std::string()) +
       (scene.Panes ? scene.Panes->GetSource(false) : std::string()));
-  source = vtkShaderFeatures::Insert(
+  source = ShaderFeatures::Insert(
     source, (scene.Casters->HasViews() ? scene.Casters->GetFeatures() : std::string()));
   vtkOpenGLQuadHelper quad(window, nullptr, source.c_str(), nullptr);
   if (!quad.Program)
@@ -56,7 +56,7 @@ std::vector<float> DrawShares(vtkOpenGLRenderWindow* window, const SliceScene& s
   const int rows =
     static_cast<int>((medium.GetNumberOfCells() + Columns - 1) / static_cast<std::size_t>(Columns));
   vtkNew<vtkTextureObject> texture;
-  if (vtkFloatTarget::Allocate(window, texture, Columns, rows, 4, false) == 0)
+  if (FloatTexture::Allocate(window, texture, Columns, rows, 4, false) == 0)
   {
     return {};
   }

@@ -15,7 +15,7 @@
 #include "vtkProjectiveLight.h"
 #include "vtkRenderer.h"
 #include "vtkSliceMatter.h"
-#include "vtkSoftwareOpenGL.h"
+#include "Loader/SoftwareOpenGL.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -241,7 +241,7 @@ std::string VolumeResources::UpdateData(vtkOpenGLRenderWindow* window)
     resources = std::make_unique<WindowResources>();
   }
   VolumeRenderState& state = this->State;
-  state.IsSoftware = vtkSoftwareOpenGL::IsUsed(window);
+  state.IsSoftware = SoftwareOpenGL::IsUsed(window);
   state.Matter = this->Asked.Matter;
   std::string error = this->UpdateSamples();
   if (error.empty())

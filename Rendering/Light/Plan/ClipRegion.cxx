@@ -16,10 +16,10 @@ namespace interlume
 
 namespace
 {
-vtkCroppingRegions::Matrix ToRows(const glm::dmat4& matrix)
+CroppingRegions::Matrix ToRows(const glm::dmat4& matrix)
 {
   const glm::dmat4 rows = glm::transpose(matrix);
-  vtkCroppingRegions::Matrix result;
+  CroppingRegions::Matrix result;
   std::copy_n(glm::value_ptr(rows), 16, result.begin());
   return result;
 }
@@ -29,10 +29,10 @@ std::string ClipRegion::Set(const Cuts& cuts, const UnitSpace& space)
 {
   this->Box = space.Box;
   this->ClippingPlanes.clear();
-  this->Regions = vtkCroppingRegions();
+  this->Regions = CroppingRegions();
   if (cuts.IsCropped)
   {
-    this->Regions = vtkCroppingRegions(cuts.CroppingPlanes, cuts.CroppingFlags,
+    this->Regions = CroppingRegions(cuts.CroppingPlanes, cuts.CroppingFlags,
       ToRows(space.VolumeFromTexture * space.TextureFromUnit));
     this->Regions.Cut(ToRows(space.VolumeFromTexture), this->Box, this->ClippingPlanes);
   }

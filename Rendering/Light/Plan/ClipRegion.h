@@ -2,7 +2,7 @@
 #ifndef interlume_ClipRegion_h
 #define interlume_ClipRegion_h
 
-#include "vtkCroppingRegions.h"
+#include "Offscreen/CroppingRegions.h"
 
 #include <array>
 #include <string>
@@ -44,7 +44,7 @@ public:
   /// The half spaces a x + b y + c z + d >= 0 that are left, in unit space.
   std::vector<std::array<double, 4>> ClippingPlanes;
   /// The regions that cropping leaves, with gaps or without, in unit space.
-  vtkCroppingRegions Regions;
+  CroppingRegions Regions;
 
 private:
   std::string Clip(vtkPlaneCollection* planes, const UnitSpace& space);

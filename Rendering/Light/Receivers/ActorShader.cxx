@@ -15,7 +15,7 @@
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
 #include "vtkRenderer.h"
-#include "vtkShaderFeatures.h"
+#include "Offscreen/ShaderFeatures.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -118,7 +118,7 @@ bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& 
   std::string source = InterlumeSceneActor;
   Swap(source, "//INTERLUME::CASTERS", casters.HasViews() ? casters.GetSource() : "");
   imageParts.Declarations = screens.GetDeclarations();
-  shadowedParts.Declarations = vtkShaderFeatures::Insert(source, features) + panes.GetSource(true) +
+  shadowedParts.Declarations = ShaderFeatures::Insert(source, features) + panes.GetSource(true) +
     imageParts.Declarations + fields.GetSource();
   std::string& implementation = shadowedParts.Implementation;
   implementation = hasVolumes ? "  ivec2 scenePixelHere = scenePixel();\n" : "";

@@ -3,7 +3,7 @@
 
 #include "Loader/OpenGLFunctions.h"
 
-#include "vtkFloatTarget.h"
+#include "Offscreen/FloatTexture.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -47,7 +47,7 @@ bool LightTransmittance::Bind(vtkOpenGLRenderWindow* window)
   const int rows = (static_cast<int>(this->Lights.size()) + this->Columns - 1) / this->Columns;
   if (!this->HasContents)
   {
-    this->Bytes = vtkFloatTarget::Allocate(window, this->Texture, this->Columns * this->Width,
+    this->Bytes = FloatTexture::Allocate(window, this->Texture, this->Columns * this->Width,
       rows * this->Height, this->Channels, false);
     if (this->Bytes == 0)
     {

@@ -12,7 +12,7 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkSceneDepth.h"
+#include "Offscreen/SceneDepth.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -253,8 +253,8 @@ std::string SceneRenderer::DrawEyeDepth(
     return "the graphics card has no memory for the depth of actors";
   }
   // What other renderers have left occludes as well.
-  const bool isKept = renderer->GetPreserveDepthBuffer() &&
-    vtkSceneDepth::CopyTo(renderer, this->EyeDepth.GetTexture());
+  const bool isKept =
+    renderer->GetPreserveDepthBuffer() && SceneDepth::CopyTo(renderer, this->EyeDepth.GetTexture());
   this->IsOfDepths = true;
   this->Placeholder->Activate();
   this->EyeDepth.Draw(window, !isKept,

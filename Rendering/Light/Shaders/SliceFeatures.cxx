@@ -8,7 +8,7 @@
 #include "InterlumeSliceMedium.h"
 #include "InterlumeSliceReceiverFS.h"
 #include "InterlumeSliceScatter.h"
-#include "vtkShaderFeatures.h"
+#include "Offscreen/ShaderFeatures.h"
 
 #include <set>
 #include <sstream>
@@ -174,7 +174,7 @@ std::string SliceFeatures::MakeSource(const Sources& sources) const
   // VTK declares every output that is named, whatever the features are.
   source = Replace(
     source, "//INTERLUME::BATCH", sources.HasBatches ? "gl_FragData[1] = gl_FragData[0];" : "");
-  return vtkShaderFeatures::Insert(source, this->Macros);
+  return ShaderFeatures::Insert(source, this->Macros);
 }
 
 }

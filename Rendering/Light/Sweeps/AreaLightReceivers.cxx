@@ -10,7 +10,7 @@
 #include "InterlumeSliceLayerPointFS.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
-#include "vtkShaderFeatures.h"
+#include "Offscreen/ShaderFeatures.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -48,7 +48,7 @@ std::string AreaLightReceivers::Prepare(vtkOpenGLRenderWindow* window,
   }
   std::string features = "LAYERS=" + std::to_string(layers.GetNumberOfLayers());
   features += this->HasCasters ? " SAMPLE_SHARE=" + share + " " + casters.GetFeatures() : "";
-  std::string source = vtkShaderFeatures::Insert(InterlumeSliceLayerPointFS, features);
+  std::string source = ShaderFeatures::Insert(InterlumeSliceLayerPointFS, features);
   vtkShaderProgram::Substitute(
     source, "//INTERLUME::CASTERS", this->HasCasters ? casters.GetSource() : "");
   vtkShaderProgram::Substitute(source, "//INTERLUME::STACKS", declarations);

@@ -6,7 +6,7 @@
 
 #include "InterlumeSliceShowFS.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkShaderFeatures.h"
+#include "Offscreen/ShaderFeatures.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
@@ -64,7 +64,7 @@ bool ImageUpsampler::Show(vtkOpenGLRenderWindow* window, vtkTextureObject* image
     front->Activate();
   }
   this->Quad.DrawWith(window, image,
-    vtkShaderFeatures::Insert(InterlumeSliceShowFS, front ? "FRONT" : ""),
+    ShaderFeatures::Insert(InterlumeSliceShowFS, front ? "FRONT" : ""),
     [&](vtkShaderProgram* program)
     {
       const ShaderUniforms uniforms(program);

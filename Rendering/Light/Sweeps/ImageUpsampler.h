@@ -2,7 +2,7 @@
 #ifndef interlume_ImageUpsampler_h
 #define interlume_ImageUpsampler_h
 
-#include "vtkImageQuad.h"
+#include "Offscreen/ImageQuad.h"
 #include "vtkSmartPointer.h"
 
 #include <glm/mat4x4.hpp>
@@ -43,7 +43,7 @@ private:
   vtkSmartPointer<vtkTextureObject> Surfaces;
   vtkSmartPointer<vtkTextureObject> Front;
   glm::dmat4 UnitFromClip{ 1.0 };
-  vtkImageQuad Quad;
+  ImageQuad Quad;
 };
 
 }

@@ -7,14 +7,14 @@
 #include "Shaders/SliceShader.h"
 #include "Translucent/PaneMaps.h"
 
-#include "vtkFloatTarget.h"
+#include "Offscreen/FloatTexture.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkProjectiveLight.h"
 #include "vtkRenderer.h"
-#include "vtkSceneDepth.h"
+#include "Offscreen/SceneDepth.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -47,7 +47,7 @@ std::string SliceRasterizer::PrepareImage()
   vtkOpenGLRenderWindow* window = this->Window;
   vtkShadowedSliceReport& report = *this->Report;
   const auto [width, height] = this->State->Size;
-  vtkIdType bytes = vtkFloatTarget::Allocate(window, this->Image, width, height, 4, true);
+  vtkIdType bytes = FloatTexture::Allocate(window, this->Image, width, height, 4, true);
   if (bytes == 0)
   {
     return "the graphics card has no memory for a picture of floats";
@@ -56,7 +56,7 @@ std::string SliceRasterizer::PrepareImage()
   report.ImageBufferBytes = bytes;
   if (this->State->Plan.HasFurtherPictures())
   {
-    bytes = vtkFloatTarget::Allocate(window, this->SweepImage, width, height, 4, false);
+    bytes = FloatTexture::Allocate(window, this->SweepImage, width, height, 4, false);
     if (bytes == 0)
     {
       return "the graphics card has no memory for a second picture of floats";
@@ -165,7 +165,7 @@ void SliceRasterizer::UpdateOpaqueDepth(vtkRenderer* renderer)
   {
     this->OpaqueDepth->SetContext(this->Window);
     this->Opaque =
-      vtkSceneDepth::CopyTo(renderer, this->OpaqueDepth) ? this->OpaqueDepth.Get() : nullptr;
+      SceneDepth::CopyTo(renderer, this->OpaqueDepth) ? this->OpaqueDepth.Get() : nullptr;
   }
   this->Upsampler.SetDepths(
     this->Opaque, scene ? scene->FrontDepth : nullptr, glm::inverse(this->State->Eye.ClipFromUnit));

@@ -11,9 +11,9 @@
 #include "Sweeps/ImageUpsampler.h"
 #include "Sweeps/SliceReceivers.h"
 
-#include "vtkImageQuad.h"
+#include "Offscreen/ImageQuad.h"
 #include "vtkNew.h"
-#include "vtkPropSelection.h"
+#include "Offscreen/PropSelection.h"
 #include "vtkShadowedSliceReport.h"
 
 #include <memory>
@@ -140,10 +140,10 @@ private:
   SliceOcclusion Occlusion;
   std::vector<std::unique_ptr<SliceLightBuffer>> Lights;
   std::vector<vtkTextureObject*> Active;
-  vtkImageQuad Quad;
-  vtkImageQuad SumQuad;
+  ImageQuad Quad;
+  ImageQuad SumQuad;
   ImageUpsampler Upsampler;
-  vtkPropSelection Selection;
+  PropSelection Selection;
   bool HasImage = false;
 };
 

@@ -4,7 +4,7 @@
 #include "Loader/OpenGLFunctions.h"
 #include "Translucent/LayerShader.h"
 
-#include "vtkFloatTarget.h"
+#include "Offscreen/FloatTexture.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkTextureObject.h"
@@ -18,7 +18,7 @@ EyeLayers::~EyeLayers() = default;
 
 bool EyeLayers::Clear(vtkOpenGLRenderWindow* window, int width, int height)
 {
-  if (vtkFloatTarget::Allocate(window, this->Picture, width, height, 4, false) == 0)
+  if (FloatTexture::Allocate(window, this->Picture, width, height, 4, false) == 0)
   {
     return false;
   }

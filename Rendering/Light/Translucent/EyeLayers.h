@@ -4,7 +4,7 @@
 
 #include "Translucent/DepthLayers.h"
 
-#include "vtkImageQuad.h"
+#include "Offscreen/ImageQuad.h"
 #include "vtkNew.h"
 
 #include <functional>
@@ -48,7 +48,7 @@ private:
   DepthLayers Depths;
   LayerTarget Target;
   vtkNew<vtkTextureObject> Picture;
-  vtkImageQuad Quad;
+  ImageQuad Quad;
   bool IsShown = true;
 };
 

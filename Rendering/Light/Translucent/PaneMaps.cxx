@@ -8,7 +8,7 @@
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkShaderFeatures.h"
+#include "Offscreen/ShaderFeatures.h"
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
@@ -125,7 +125,7 @@ std::string PaneMaps::GetSource(bool hasPlanes) const
     return {};
   }
   std::string features = "//INTERLUME::FEATURES\n";
-  return vtkShaderFeatures::Insert(features + InterlumeScenePanes,
+  return ShaderFeatures::Insert(features + InterlumeScenePanes,
     "PANE_VIEWS=" + std::to_string(this->Views.GetViews().size()) +
       " PANE_LAYERS=" + std::to_string(this->Layers) + (hasPlanes ? " PANE_PLANES" : ""));
 }

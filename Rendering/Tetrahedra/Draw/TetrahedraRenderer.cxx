@@ -3,6 +3,9 @@
 
 #include "Draw/PiecePicture.h"
 #include "Loader/OpenGLFunctions.h"
+#include "Loader/SoftwareOpenGL.h"
+#include "Offscreen/ImageQuad.h"
+#include "Offscreen/SceneDepth.h"
 #include "OpenGL/OpenGLRasterizer.h"
 #include "OpenGL/TetrahedraSelection.h"
 #include "Pieces/PieceExchange.h"
@@ -10,15 +13,12 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkHardwareSelector.h"
-#include "vtkImageQuad.h"
-#include "vtkOpaqueProps.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
-#include "vtkSoftwareOpenGL.h"
 #include "vtkTexture.h"
 #include "vtkTimerLog.h"
 #include "vtkUnstructuredGrid.h"
@@ -93,7 +93,7 @@ struct TetrahedraRenderer::DrawnState
 
 struct TetrahedraRenderer::WindowResources
 {
-  vtkImageQuad Quad;
+  ImageQuad Quad;
   OpenGLRasterizer Rasterizer;
   int MeshVersion = 0;
   int ValueVersion = 0;
@@ -213,7 +213,7 @@ void TetrahedraRenderer::ChoosePath(
   report.PathReason = "as asked for";
   if (request.Settings.RenderPath == Settings::AUTOMATIC_PATH)
   {
-    const bool isSoftware = vtkSoftwareOpenGL::IsUsed(window);
+    const bool isSoftware = SoftwareOpenGL::IsUsed(window);
     report.RenderPath = isSoftware ? Settings::SOFTWARE_PATH : Settings::OPENGL_PATH;
     report.PathReason =
       isSoftware ? "OpenGL is itself software here" : "OpenGL runs on a graphics card";
@@ -232,7 +232,7 @@ void TetrahedraRenderer::ChooseShader(
   report.ShaderReason = "as asked for";
   if (request.Settings.SilhouetteShader == Settings::AUTOMATIC_SHADER)
   {
-    const bool isSoftware = vtkSoftwareOpenGL::IsUsed(window);
+    const bool isSoftware = SoftwareOpenGL::IsUsed(window);
     report.SilhouetteShader = isSoftware ? Settings::GEOMETRY_SHADER : Settings::VERTEX_SHADER;
     report.ShaderReason = isSoftware ? "OpenGL is itself software here"
                                      : "many graphics cards have slow geometry shaders";
@@ -493,7 +493,7 @@ std::string TetrahedraRenderer::DrawWithOpenGL(
   changes.Order = !isSameCut || resources.OrderVersion != this->OrderVersion;
   changes.Surface = !isSameCut || resources.BoundaryVersion != this->BoundaryVersion;
   std::string error = resources.Rasterizer.Draw(renderer, this->Frame, changes,
-    vtkOpaqueProps::MayOcclude(renderer, volume) || this->IsCutByFarPlane(), report);
+    SceneDepth::MayOcclude(renderer, volume) || this->IsCutByFarPlane(), report);
   resources.MeshVersion = this->MeshVersion;
   resources.ValueVersion = this->ValueVersion;
   resources.ColorVersion = this->ColorVersion;

@@ -3,6 +3,9 @@
 
 #include "Frame/BoundaryShading.h"
 #include "Loader/OpenGLFunctions.h"
+#include "Offscreen/FloatTexture.h"
+#include "Offscreen/SceneDepth.h"
+#include "Offscreen/ShaderFeatures.h"
 
 #include "InterlumeResolveFS.h"
 #include "InterlumeSilhouette.h"
@@ -10,15 +13,12 @@
 #include "InterlumeTetrahedraGS.h"
 #include "InterlumeTetrahedraPullVS.h"
 #include "InterlumeTetrahedraVS.h"
-#include "vtkFloatTarget.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkRenderer.h"
-#include "vtkSceneDepth.h"
-#include "vtkShaderFeatures.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -72,7 +72,7 @@ constexpr std::array<std::uint16_t, 6> STRIP = { { 0, 1, 2, 2, 1, 3 } };
 /// Returns a shader with those features that makes silhouettes.
 std::string MakeSilhouetteShader(const char* shader, const std::string& features)
 {
-  std::string source = vtkShaderFeatures::Insert(shader, features);
+  std::string source = ShaderFeatures::Insert(shader, features);
   vtkShaderProgram::Substitute(source, "//INTERLUME::SILHOUETTE", InterlumeSilhouette);
   return source;
 }
@@ -273,10 +273,10 @@ void OpenGLRasterizer::UploadStrips(vtkTetrahedraReport& report)
 bool OpenGLRasterizer::PrepareTarget(
   vtkOpenGLRenderWindow* window, int width, int height, bool hasLayers)
 {
-  vtkFloatTarget::Allocate(window, this->Sums, width, height, 4, true);
+  FloatTexture::Allocate(window, this->Sums, width, height, 4, true);
   if (hasLayers)
   {
-    vtkFloatTarget::Allocate(window, this->Layers, width, height, 4, true);
+    FloatTexture::Allocate(window, this->Layers, width, height, 4, true);
   }
   this->Framebuffer->SetContext(window);
   this->Framebuffer->Bind();
@@ -380,7 +380,7 @@ void OpenGLRasterizer::Resolve(vtkOpenGLRenderWindow* window, const TetrahedraFr
   if (!isResolved && HoldsScalars(frame))
   {
     this->ResolveQuad.DrawWith(window, texture,
-      vtkShaderFeatures::Insert(InterlumeResolveFS, "LARGEST_SCALAR"),
+      ShaderFeatures::Insert(InterlumeResolveFS, "LARGEST_SCALAR"),
       [&](vtkShaderProgram* program)
       {
         this->Pieces.Activate(program, "pieces");
@@ -396,7 +396,7 @@ void OpenGLRasterizer::Resolve(vtkOpenGLRenderWindow* window, const TetrahedraFr
   if (!isResolved && IsDepthSum(frame))
   {
     this->ResolveQuad.DrawWith(
-      window, texture, vtkShaderFeatures::Insert(InterlumeResolveFS, "OPTICAL_DEPTH"));
+      window, texture, ShaderFeatures::Insert(InterlumeResolveFS, "OPTICAL_DEPTH"));
     return;
   }
   this->Quad.Draw(window, texture, frame.Blend == TetrahedraFrame::ADDITIVE ? "SATURATE" : "");
@@ -444,11 +444,11 @@ bool OpenGLRasterizer::DrawLayer(vtkOpenGLRenderWindow* window, const Tetrahedra
 {
   const std::string vertexShader = frame.IsPulled
     ? MakeSilhouetteShader(InterlumeTetrahedraPullVS, features)
-    : vtkShaderFeatures::Insert(InterlumeTetrahedraVS, features);
+    : ShaderFeatures::Insert(InterlumeTetrahedraVS, features);
   const std::string geometryShader =
     frame.IsPulled ? std::string() : MakeSilhouetteShader(InterlumeTetrahedraGS, features);
   vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(vertexShader.c_str(),
-    vtkShaderFeatures::Insert(InterlumeTetrahedraFS, features).c_str(), geometryShader.c_str());
+    ShaderFeatures::Insert(InterlumeTetrahedraFS, features).c_str(), geometryShader.c_str());
   if (!program)
   {
     return false;
@@ -542,7 +542,7 @@ std::string OpenGLRasterizer::Draw(vtkRenderer* renderer, const TetrahedraFrame&
   if (hasOpaque)
   {
     this->Depth->SetContext(window);
-    hasOpaque = vtkSceneDepth::CopyTo(renderer, this->Depth);
+    hasOpaque = SceneDepth::CopyTo(renderer, this->Depth);
   }
   report.Features = this->GetFeatures(frame, hasOpaque);
 

@@ -3,9 +3,9 @@
 #define interlume_OpenGLRasterizer_h
 
 #include "Frame/TetrahedraFrame.h"
+#include "Offscreen/ImageQuad.h"
 #include "OpenGL/TextureBuffer.h"
 
-#include "vtkImageQuad.h"
 #include "vtkNew.h"
 #include "vtkTetrahedraReport.h"
 
@@ -112,8 +112,8 @@ private:
   TextureBuffer Order;
   /// The indices of two triangles for each of STRIPS tetrahedra, where their vertices are pulled.
   unsigned int Strips = 0;
-  vtkImageQuad Quad;
-  vtkImageQuad ResolveQuad;
+  ImageQuad Quad;
+  ImageQuad ResolveQuad;
 };
 
 }

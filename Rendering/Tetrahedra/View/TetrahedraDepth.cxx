@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "View/TetrahedraDepth.h"
 
-#include "vtkSceneDepth.h"
+#include "Offscreen/SceneDepth.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,7 +11,7 @@ namespace interlume
 
 bool TetrahedraDepth::Read(vtkRenderer* renderer)
 {
-  const bool isDrawn = vtkSceneDepth::Read(renderer, this->Buffer, this->Size) &&
+  const bool isDrawn = SceneDepth::Read(renderer, this->Buffer, this->Size) &&
     std::any_of(this->Buffer.begin(), this->Buffer.end(), [](float value) { return value < 1.0f; });
   if (!isDrawn)
   {

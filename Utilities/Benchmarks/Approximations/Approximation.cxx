@@ -4,7 +4,7 @@
 #include "Benchmarks/Results/ErrorFront.h"
 
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkSoftwareOpenGL.h"
+#include "Loader/SoftwareOpenGL.h"
 
 #include <algorithm>
 #include <iterator>
@@ -37,7 +37,7 @@ std::string SizesOf(const BenchRow& row)
 Clock ClockOf(vtkRenderWindow* window)
 {
   auto* opened = vtkOpenGLRenderWindow::SafeDownCast(window);
-  return opened && vtkSoftwareOpenGL::IsUsed(opened) ? Clock::Processor : Clock::Wall;
+  return opened && interlume::SoftwareOpenGL::IsUsed(opened) ? Clock::Processor : Clock::Wall;
 }
 
 void Trials::Add(const std::string& method, const std::string& setting, Maker maker,

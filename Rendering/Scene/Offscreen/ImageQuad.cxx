@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkImageQuad.h"
+#include "Offscreen/ImageQuad.h"
 
 #include "Loader/OpenGLFunctions.h"
 
@@ -8,15 +8,18 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
-#include "vtkShaderFeatures.h"
+#include "Offscreen/ShaderFeatures.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
-vtkImageQuad::vtkImageQuad() = default;
+namespace interlume
+{
 
-vtkImageQuad::~vtkImageQuad() = default;
+ImageQuad::ImageQuad() = default;
 
-vtkIdType vtkImageQuad::Upload(vtkOpenGLRenderWindow* window, int width, int height,
+ImageQuad::~ImageQuad() = default;
+
+vtkIdType ImageQuad::Upload(vtkOpenGLRenderWindow* window, int width, int height,
   const std::vector<float>& colors, bool isSmooth)
 {
   this->Texture->SetContext(window);
@@ -31,30 +34,29 @@ vtkIdType vtkImageQuad::Upload(vtkOpenGLRenderWindow* window, int width, int hei
   return static_cast<vtkIdType>(bytes);
 }
 
-void vtkImageQuad::Draw(
-  vtkOpenGLRenderWindow* window, const std::string& features, const Share& share)
+void ImageQuad::Draw(vtkOpenGLRenderWindow* window, const std::string& features, const Share& share)
 {
   this->Draw(window, this->Texture, features, share);
 }
 
-void vtkImageQuad::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
+void ImageQuad::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
   const std::string& features, const Share& share)
 {
   const std::array<float, 2> floats{ { static_cast<float>(share[0]),
     static_cast<float>(share[1]) } };
   this->Render(
-    window, texture, vtkShaderFeatures::Insert(InterlumeImageQuadFS, features),
+    window, texture, ShaderFeatures::Insert(InterlumeImageQuadFS, features),
     [&floats](vtkShaderProgram* program) { program->SetUniform2f("share", floats.data()); },
     features.find("SELECTION") != std::string::npos);
 }
 
-void vtkImageQuad::DrawWith(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
+void ImageQuad::DrawWith(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
   const std::string& fragmentShader, const std::function<void(vtkShaderProgram*)>& setUniforms)
 {
   this->Render(window, texture, fragmentShader, setUniforms, false);
 }
 
-void vtkImageQuad::Render(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
+void ImageQuad::Render(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
   const std::string& fragmentShader, const std::function<void(vtkShaderProgram*)>& setUniforms,
   bool usesDepth)
 {
@@ -98,7 +100,7 @@ void vtkImageQuad::Render(vtkOpenGLRenderWindow* window, vtkTextureObject* textu
   texture->Deactivate();
 }
 
-void vtkImageQuad::ReleaseGraphicsResources(vtkWindow* window)
+void ImageQuad::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
   if (this->Quad)
@@ -106,4 +108,6 @@ void vtkImageQuad::ReleaseGraphicsResources(vtkWindow* window)
     this->Quad->ReleaseGraphicsResources(window);
     this->Quad.reset();
   }
+}
+
 }

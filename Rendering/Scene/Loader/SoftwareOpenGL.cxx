@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkSoftwareOpenGL.h"
+#include "Loader/SoftwareOpenGL.h"
 
 #include "Loader/OpenGLFunctions.h"
 
@@ -7,7 +7,10 @@
 
 #include <cstring>
 
-bool vtkSoftwareOpenGL::IsUsed(vtkOpenGLRenderWindow* window)
+namespace interlume
+{
+
+bool SoftwareOpenGL::IsUsed(vtkOpenGLRenderWindow* window)
 {
   window->MakeCurrent();
   const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
@@ -24,4 +27,6 @@ bool vtkSoftwareOpenGL::IsUsed(vtkOpenGLRenderWindow* window)
     }
   }
   return false;
+}
+
 }

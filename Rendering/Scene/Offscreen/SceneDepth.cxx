@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkSceneDepth.h"
+#include "Offscreen/SceneDepth.h"
 
 #include "Loader/OpenGLFunctions.h"
+#include "Offscreen/FloatTexture.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
 
 #include <memory>
+
+namespace interlume
+{
 
 namespace
 {
@@ -136,14 +141,32 @@ bool ReadDepth(vtkRenderer* renderer, const Reader& read)
 }
 }
 
-bool vtkSceneDepth::CopyTo(vtkRenderer* renderer, vtkTextureObject* texture)
+bool SceneDepth::MayOcclude(vtkRenderer* renderer, vtkProp* volume)
+{
+  // The depths that another renderer left in the depth buffer count too.
+  if (renderer->GetPreserveDepthBuffer())
+  {
+    return true;
+  }
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator iterator;
+  props->InitTraversal(iterator);
+  while (vtkProp* prop = props->GetNextProp(iterator))
+  {
+    if (prop != volume && prop->GetVisibility() && !prop->IsA("vtkVolume"))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool SceneDepth::CopyTo(vtkRenderer* renderer, vtkTextureObject* texture)
 {
   int size[2];
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
-  const bool fits = texture->GetHandle() != 0 && static_cast<int>(texture->GetWidth()) == size[0] &&
-    static_cast<int>(texture->GetHeight()) == size[1];
-  if (!fits)
+  if (!FloatTexture::Fits(texture, size[0], size[1]))
   {
     texture->AllocateDepth(static_cast<unsigned int>(size[0]), static_cast<unsigned int>(size[1]),
       vtkTextureObject::Float32);
@@ -158,8 +181,7 @@ bool vtkSceneDepth::CopyTo(vtkRenderer* renderer, vtkTextureObject* texture)
   return isRead;
 }
 
-bool vtkSceneDepth::Read(
-  vtkRenderer* renderer, std::vector<float>& depths, std::array<int, 2>& size)
+bool SceneDepth::Read(vtkRenderer* renderer, std::vector<float>& depths, std::array<int, 2>& size)
 {
   return ReadDepth(renderer,
     [&](int left, int bottom, int width, int height)
@@ -168,4 +190,6 @@ bool vtkSceneDepth::Read(
       depths.resize(static_cast<std::size_t>(width) * height);
       glReadPixels(left, bottom, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
     });
+}
+
 }

@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef vtkCroppingRegions_h
-#define vtkCroppingRegions_h
+#ifndef interlume_CroppingRegions_h
+#define interlume_CroppingRegions_h
 
-#include "InterlumeSceneModule.h" // for the export macro
+#include "InterlumeSceneModule.h"
 
-#include <array>  // for planes
-#include <vector> // for planes
+#include <array>
+#include <vector>
 
 class vtkShaderProgram;
 
+namespace interlume
+{
+
 /**
- * @class   vtkCroppingRegions
+ * @class   CroppingRegions
  * @brief   cropping of a vtkVolumeMapper as half spaces and gaps in them
  *
  * The half spaces, up to six, are those around all regions that are kept. They cut exactly, as a
  * smaller box or as clipping planes do. Regions that do not fill them leave gaps, which shaders cut
- * from lines by thresholds and flags (CROPPING in vtkShaderFeatures).
+ * from lines by thresholds and flags (CROPPING in ShaderFeatures).
  */
-class INTERLUMESCENE_EXPORT vtkCroppingRegions
+class INTERLUMESCENE_EXPORT CroppingRegions
 {
 public:
   using Box = std::array<std::array<double, 2>, 3>;
@@ -26,12 +29,12 @@ public:
   using Matrix = std::array<double, 16>;
 
   /// Keeps everything.
-  vtkCroppingRegions() = default;
+  CroppingRegions() = default;
   /**
    * Keeps the regions of the mapper's six planes and flags. \a linesToVolume transforms from the
    * coordinates of lines to the volume's own.
    */
-  vtkCroppingRegions(const std::array<double, 6>& planes, int flags, const Matrix& linesToVolume);
+  CroppingRegions(const std::array<double, 6>& planes, int flags, const Matrix& linesToVolume);
 
   /**
    * Cuts \a box, lower and upper along each axis, with the half spaces. \a boxToVolume transforms
@@ -61,5 +64,7 @@ private:
   Box VolumeBounds{};
   Box Bounds{};
 };
+
+}
 
 #endif

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef vtkPropSelection_h
-#define vtkPropSelection_h
+#ifndef interlume_PropSelection_h
+#define interlume_PropSelection_h
 
-#include "InterlumeSceneModule.h" // for the export macro
-#include "vtkImageQuad.h"         // for the quad
+#include "InterlumeSceneModule.h"
+#include "Offscreen/ImageQuad.h"
 
 class vtkHardwareSelector;
 class vtkOpenGLRenderWindow;
 class vtkTextureObject;
 class vtkWindow;
 
+namespace interlume
+{
+
 /**
- * @class   vtkPropSelection
+ * @class   PropSelection
  * @brief   shows a prop as a whole to a hardware selector, where its picture is not transparent
  */
-class INTERLUMESCENE_EXPORT vtkPropSelection
+class INTERLUMESCENE_EXPORT PropSelection
 {
 public:
   /**
@@ -28,7 +31,9 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  vtkImageQuad Quad;
+  ImageQuad Quad;
 };
+
+}
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkCroppingRegions.h"
+#include "Offscreen/CroppingRegions.h"
 
 #include "vtkShaderProgram.h"
 
@@ -8,6 +8,9 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+
+namespace interlume
+{
 
 namespace
 {
@@ -55,7 +58,7 @@ bool IsWithin(int region, const std::array<Range, 3>& ranges)
 }
 }
 
-vtkCroppingRegions::vtkCroppingRegions(
+CroppingRegions::CroppingRegions(
   const std::array<double, 6>& planes, int flags, const Matrix& linesToVolume)
   : Flags(flags & All)
 {
@@ -82,7 +85,7 @@ vtkCroppingRegions::vtkCroppingRegions(
   }
 }
 
-void vtkCroppingRegions::Cut(const Matrix& boxToVolume, Box& box, Planes& planes) const
+void CroppingRegions::Cut(const Matrix& boxToVolume, Box& box, Planes& planes) const
 {
   const auto isZero = [](double value) { return value == 0.0; };
   for (int axis = 0; axis < 3; ++axis)
@@ -115,7 +118,7 @@ void vtkCroppingRegions::Cut(const Matrix& boxToVolume, Box& box, Planes& planes
   }
 }
 
-bool vtkCroppingRegions::IsKept(const std::array<double, 3>& place) const
+bool CroppingRegions::IsKept(const std::array<double, 3>& place) const
 {
   int region = 0;
   for (int axis = 2; axis >= 0; --axis)
@@ -128,7 +131,7 @@ bool vtkCroppingRegions::IsKept(const std::array<double, 3>& place) const
   return IsAmong(this->Flags, region);
 }
 
-std::vector<double> vtkCroppingRegions::GetKey() const
+std::vector<double> CroppingRegions::GetKey() const
 {
   std::vector<double> key{ static_cast<double>(this->Flags) };
   for (int axis = 0; axis < 3; ++axis)
@@ -139,7 +142,7 @@ std::vector<double> vtkCroppingRegions::GetKey() const
   return key;
 }
 
-void vtkCroppingRegions::SetUniforms(vtkShaderProgram* program) const
+void CroppingRegions::SetUniforms(vtkShaderProgram* program) const
 {
   float axes[9];
   float lower[3];
@@ -154,4 +157,6 @@ void vtkCroppingRegions::SetUniforms(vtkShaderProgram* program) const
   program->SetUniform3f("croppingLower", lower);
   program->SetUniform3f("croppingUpper", upper);
   program->SetUniformi("croppingFlags", this->Flags);
+}
+
 }

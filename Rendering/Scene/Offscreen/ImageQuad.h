@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef vtkImageQuad_h
-#define vtkImageQuad_h
+#ifndef interlume_ImageQuad_h
+#define interlume_ImageQuad_h
 
-#include "InterlumeSceneModule.h" // for the export macro
-#include "vtkNew.h"               // for the texture
+#include "InterlumeSceneModule.h"
+
+#include "vtkNew.h"
 #include "vtkType.h"
 
-#include <array>      // for the share
-#include <functional> // for uniforms of the caller
-#include <memory>     // for the quad
-#include <string>     // for shaders
-#include <vector>     // for pictures
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
 
 class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
@@ -18,8 +19,11 @@ class vtkShaderProgram;
 class vtkTextureObject;
 class vtkWindow;
 
+namespace interlume
+{
+
 /**
- * @class   vtkImageQuad
+ * @class   ImageQuad
  * @brief   lays a picture of floats over the viewport
  *
  * The picture holds red, green and blue, already multiplied by opacity, and opacity. Depth is
@@ -32,13 +36,13 @@ class vtkWindow;
  * - SUM: the picture's colour is added to what is behind, whatever its opacity;
  * - SELECTION: the fourth channel is the depth, 0 to 1; below 0 nothing is drawn.
  */
-class INTERLUMESCENE_EXPORT vtkImageQuad
+class INTERLUMESCENE_EXPORT ImageQuad
 {
 public:
-  vtkImageQuad();
-  ~vtkImageQuad();
-  vtkImageQuad(const vtkImageQuad&) = delete;
-  vtkImageQuad& operator=(const vtkImageQuad&) = delete;
+  ImageQuad();
+  ~ImageQuad();
+  ImageQuad(const ImageQuad&) = delete;
+  ImageQuad& operator=(const ImageQuad&) = delete;
 
   /// The columns and rows that the viewport shows, from the lower left, as a share of the
   /// picture's: 1 where its last pixels end with the viewport.
@@ -80,5 +84,7 @@ private:
   std::string FragmentShader;
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
 };
+
+}
 
 #endif

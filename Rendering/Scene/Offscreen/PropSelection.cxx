@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkPropSelection.h"
+#include "Offscreen/PropSelection.h"
 
 #include "InterlumePropSelectionFS.h"
 #include "vtkHardwareSelector.h"
@@ -10,7 +10,10 @@
 #include <algorithm>
 #include <array>
 
-void vtkPropSelection::Show(
+namespace interlume
+{
+
+void PropSelection::Show(
   vtkHardwareSelector* selector, vtkOpenGLRenderWindow* window, vtkTextureObject* picture)
 {
   std::array<float, 3> color{ { 0.0f, 0.0f, 0.0f } };
@@ -40,7 +43,9 @@ void vtkPropSelection::Show(
   selector->EndRenderProp();
 }
 
-void vtkPropSelection::ReleaseGraphicsResources(vtkWindow* window)
+void PropSelection::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Quad.ReleaseGraphicsResources(window);
+}
+
 }

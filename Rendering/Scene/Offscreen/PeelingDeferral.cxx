@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkDepthPeels.h"
+#include "Offscreen/PeelingDeferral.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkCommand.h"
@@ -11,6 +11,9 @@
 #include "vtkOpenGLRenderPass.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
+
+namespace interlume
+{
 
 namespace
 {
@@ -52,12 +55,12 @@ public:
 vtkStandardNewMacro(EndCommand);
 }
 
-vtkDepthPeels::~vtkDepthPeels()
+PeelingDeferral::~PeelingDeferral()
 {
-  this->Forget();
+  this->RemoveObserver();
 }
 
-void vtkDepthPeels::Forget()
+void PeelingDeferral::RemoveObserver()
 {
   if (this->Renderer && this->Tag > 0)
   {
@@ -66,10 +69,11 @@ void vtkDepthPeels::Forget()
   this->Tag = 0;
 }
 
-bool vtkDepthPeels::Defer(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+bool PeelingDeferral::Defer(
+  vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
   // There is one command for all peels of a picture, and none where there were no peels.
-  this->Forget();
+  this->RemoveObserver();
   if (!IsPeeled(volume))
   {
     return false;
@@ -79,14 +83,15 @@ bool vtkDepthPeels::Defer(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer
   command->Volume = volume;
   this->Renderer = renderer;
   this->Tag = renderer->AddObserver(vtkCommand::EndEvent, command);
-  this->IsNews = !this->WasTaken;
+  this->WasDeferred = true;
   return true;
 }
 
-bool vtkDepthPeels::TakeNews()
+bool PeelingDeferral::ConsumeFirstDeferral()
 {
-  const bool isNews = this->IsNews;
-  this->WasTaken = this->WasTaken || isNews;
-  this->IsNews = false;
-  return isNews;
+  const bool isFirst = this->WasDeferred && !this->WasConsumed;
+  this->WasConsumed = this->WasConsumed || isFirst;
+  return isFirst;
+}
+
 }

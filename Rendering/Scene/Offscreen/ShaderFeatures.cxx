@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkShaderFeatures.h"
+#include "Offscreen/ShaderFeatures.h"
 
 #include "InterlumeRayCuts.h"
 
 #include <algorithm>
 #include <sstream>
+
+namespace interlume
+{
 
 namespace
 {
@@ -18,7 +21,7 @@ void Replace(std::string& text, const std::string& mark, const std::string& by)
 }
 }
 
-std::string vtkShaderFeatures::Insert(const std::string& source, const std::string& features)
+std::string ShaderFeatures::Insert(const std::string& source, const std::string& features)
 {
   std::string defines;
   std::istringstream words(features);
@@ -31,4 +34,6 @@ std::string vtkShaderFeatures::Insert(const std::string& source, const std::stri
   Replace(result, "//INTERLUME::FEATURES", defines);
   Replace(result, "//INTERLUME::CUTS", InterlumeRayCuts);
   return result;
+}
+
 }

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkFloatTarget.h"
+#include "Offscreen/FloatTexture.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkTextureObject.h"
 
-bool vtkFloatTarget::Fits(vtkTextureObject* texture, int width, int height)
+namespace interlume
+{
+
+bool FloatTexture::Fits(vtkTextureObject* texture, int width, int height)
 {
   return texture->GetHandle() != 0 && static_cast<int>(texture->GetWidth()) == width &&
     static_cast<int>(texture->GetHeight()) == height;
 }
 
-vtkIdType vtkFloatTarget::Allocate(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
+vtkIdType FloatTexture::Allocate(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
   int width, int height, int channels, bool isSmooth)
 {
   texture->SetContext(window);
@@ -32,4 +35,6 @@ vtkIdType vtkFloatTarget::Allocate(vtkOpenGLRenderWindow* window, vtkTextureObje
     return 0;
   }
   return static_cast<vtkIdType>(sizeof(float)) * width * height * channels;
+}
+
 }
