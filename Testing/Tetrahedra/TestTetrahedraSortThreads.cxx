@@ -20,14 +20,12 @@ using namespace reference;
 struct Orders
 {
   std::vector<std::uint32_t> Twins;
-  std::vector<std::uint32_t> Boundary;
   std::vector<std::vector<std::uint32_t>> Lists;
   std::vector<vtkIdType> Counts;
 
   bool operator==(const Orders& other) const
   {
-    return this->Twins == other.Twins && this->Boundary == other.Boundary &&
-      this->Lists == other.Lists && this->Counts == other.Counts;
+    return this->Twins == other.Twins && this->Lists == other.Lists && this->Counts == other.Counts;
   }
 };
 
@@ -37,8 +35,7 @@ Orders ComputeAll(const interlume::TetrahedraMesh& mesh)
   interlume::CentroidOrder centroids;
   interlume::VisibilityOrder visibility;
   visibility.Build(mesh);
-  all.Twins = visibility.GetAdjacency().GetTwins();
-  all.Boundary = visibility.GetAdjacency().GetBoundaryFaces();
+  all.Twins = interlume::FaceAdjacency::FindTwins(mesh);
   for (const View& view : GetViews(150, { 0.12, 0.01, 0.02 }))
   {
     std::vector<std::uint32_t> order;

@@ -6,8 +6,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <atomic>
-#include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace interlume
@@ -25,11 +24,6 @@ constexpr std::uint32_t CUT = KEPT - 2;
 /// The number of planes with a bit for the points on their other side.
 constexpr std::size_t BITS = 31;
 
-double GetDistance(const glm::dvec4& plane, const double* point)
-{
-  return plane.x * point[0] + plane.y * point[1] + plane.z * point[2] + plane.w;
-}
-
 // Returns a number that is positive on one side of the plane through a, b, c.
 double GetSide(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& p)
 {
@@ -44,7 +38,7 @@ bool IsBehindFace(const std::array<glm::dvec3, 4>& p, const Viewpoint& view)
     : GetSide(p[1], p[2], p[3], view.Eye);
   return ofEye * GetSide(p[1], p[2], p[3], p[0]) < 0.0;
 }
-}
+} // namespace
 
 void PlaneClip::Append(TetrahedraMesh& mesh, TetrahedraFields& fields,
   const std::vector<Plane>& planes, const Viewpoint& view, const std::vector<std::uint32_t>* order)
@@ -53,41 +47,14 @@ void PlaneClip::Append(TetrahedraMesh& mesh, TetrahedraFields& fields,
   this->Points = mesh.Points.size() / 3;
   this->Tetrahedra = mesh.GetNumberOfTetrahedra();
   this->Wholes.clear();
-  this->FindPlanes(mesh, planes);
+  this->Planes.clear();
+  std::copy_if(planes.begin(), planes.end(), std::back_inserter(this->Planes),
+    [&mesh](const Plane& plane) { return mesh.HasPointBehind(plane, ON_PLANE); });
   if (this->IsActive())
   {
     this->Classify(mesh);
     this->CutAll(mesh, fields, order ? &view : nullptr);
     this->MakeOrder(order);
-  }
-}
-
-void PlaneClip::FindPlanes(const TetrahedraMesh& mesh, const std::vector<Plane>& planes)
-{
-  this->Planes.clear();
-  for (const Plane& plane : planes)
-  {
-    // Mesh coordinates are between -1 and 1.
-    if (plane.w >= std::abs(plane.x) + std::abs(plane.y) + std::abs(plane.z))
-    {
-      continue;
-    }
-    std::atomic<bool> hasOutside{ false };
-    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Points),
-      [&](vtkIdType first, vtkIdType last)
-      {
-        for (vtkIdType p = first; p < last && !hasOutside; ++p)
-        {
-          if (GetDistance(plane, mesh.GetPoint(static_cast<std::uint32_t>(p))) < -ON_PLANE)
-          {
-            hasOutside = true;
-          }
-        }
-      });
-    if (hasOutside)
-    {
-      this->Planes.push_back(plane);
-    }
   }
 }
 
@@ -100,11 +67,11 @@ void PlaneClip::Classify(const TetrahedraMesh& mesh)
     {
       for (vtkIdType p = first; p < last; ++p)
       {
-        const double* point = mesh.GetPoint(static_cast<std::uint32_t>(p));
         std::uint32_t bits = 0;
         for (std::size_t i = 0; i < this->Planes.size(); ++i)
         {
-          const bool isOutside = GetDistance(this->Planes[i], point) < -ON_PLANE;
+          const bool isOutside =
+            mesh.GetDistance(this->Planes[i], static_cast<std::uint32_t>(p)) < -ON_PLANE;
           bits |= isOutside ? 1u << std::min(i, BITS) : 0u;
         }
         outside[static_cast<std::size_t>(p)] = bits;
@@ -161,7 +128,7 @@ void PlaneClip::Cut(TetrahedraMesh& mesh, TetrahedraFields& fields, const Viewpo
   {
     for (int k = 0; k < 4; ++k)
     {
-      distances[k] = GetDistance(this->Planes[plane], mesh.GetPoint(part[k].Id));
+      distances[k] = mesh.GetDistance(this->Planes[plane], part[k].Id);
     }
     isCut = *std::min_element(distances.begin(), distances.end()) < -ON_PLANE;
   }
@@ -386,4 +353,4 @@ void PlaneClip::Remove(TetrahedraMesh& mesh, TetrahedraFields& fields)
     fields.Colors, fields.Kind == TetrahedraFields::CELL_COLORS ? this->Tetrahedra : this->Points);
 }
 
-}
+} // namespace interlume

@@ -72,7 +72,6 @@ private:
     std::size_t End;
   };
 
-  void FindPlanes(const TetrahedraMesh& mesh, const std::vector<Plane>& planes);
   /// Finds the tetrahedra that are kept, dropped, or cut.
   void Classify(const TetrahedraMesh& mesh);
   void CutAll(TetrahedraMesh& mesh, TetrahedraFields& fields, const Viewpoint* view);
@@ -105,6 +104,6 @@ private:
   vtkIdType NumberClipped = 0;
 };
 
-}
+} // namespace interlume
 
 #endif

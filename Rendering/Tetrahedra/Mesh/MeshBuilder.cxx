@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/MeshBuilder.h"
 
+#include "Common/ThreadLocals.h"
+
 #include "vtkArrayDispatch.h"
+#include "vtkBoundingBox.h"
 #include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -137,42 +140,30 @@ public:
   // Sets origin and scale of the mesh, by which coordinates are of size 1 around 0.
   void Measure(TetrahedraMesh& mesh) const
   {
-    constexpr double none = std::numeric_limits<double>::infinity();
-    constexpr vtkIdType chunk = 16384;
-    const vtkIdType points = this->GetNumber();
-    using Box = std::array<double, 6>;
-    const Box empty{ { none, none, none, -none, -none, -none } };
-    std::vector<Box> boxes((points + chunk - 1) / chunk, empty);
-    const auto widen = [](Box& box, const double* low, const double* high)
-    {
-      for (int i = 0; i < 3; ++i)
-      {
-        box[i] = std::min(box[i], low[i]);
-        box[i + 3] = std::max(box[i + 3], high[i]);
-      }
-    };
-    vtkSMPTools::For(0, static_cast<vtkIdType>(boxes.size()), 1,
+    ThreadLocals<vtkBoundingBox> boxes;
+    vtkSMPTools::For(0, this->GetNumber(),
       [&](vtkIdType first, vtkIdType last)
       {
+        vtkBoundingBox& box = boxes.Local();
         double place[3];
-        for (vtkIdType p = first * chunk; p < std::min(points, last * chunk); ++p)
+        for (vtkIdType p = first; p < last; ++p)
         {
           if (this->Get(p, place))
           {
-            widen(boxes[p / chunk], place, place);
+            box.AddPoint(place);
           }
         }
       });
-    Box all = empty;
-    for (const Box& box : boxes)
+    vtkBoundingBox all;
+    for (const vtkBoundingBox& box : boxes)
     {
-      widen(all, box.data(), box.data() + 3);
+      all.AddBox(box);
     }
     mesh.Scale = 0.0;
     for (int i = 0; i < 3; ++i)
     {
-      const double low = all[i] <= all[i + 3] ? all[i] : 0.0;
-      const double high = all[i] <= all[i + 3] ? all[i + 3] : 0.0;
+      const double low = all.IsValid() ? all.GetBound(2 * i) : 0.0;
+      const double high = all.IsValid() ? all.GetBound(2 * i + 1) : 0.0;
       mesh.Origin[i] = 0.5 * low + 0.5 * high;
       mesh.Scale = std::max(mesh.Scale, high - mesh.Origin[i]);
     }

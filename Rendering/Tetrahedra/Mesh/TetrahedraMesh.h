@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/vec4.hpp>
+
 namespace interlume
 {
 
@@ -48,6 +50,17 @@ struct TetrahedraMesh
   {
     return &this->Points[3 * static_cast<std::size_t>(id)];
   }
+  /// Returns the distance of a point from a plane with a normal of unit length, below 0 on the
+  /// other side.
+  double GetDistance(const glm::dvec4& plane, std::uint32_t id) const
+  {
+    const double* point = this->GetPoint(id);
+    return plane.x * point[0] + plane.y * point[1] + plane.z * point[2] + plane.w;
+  }
+  /// Returns whether a point is farther than \a tolerance on the other side of a plane.
+  bool HasPointBehind(const glm::dvec4& plane, double tolerance) const;
+  /// Returns the greatest distance of a point from the origin; 0 without points.
+  double GetRadius() const;
   ///@{
   /// Return six times the volume, positive for one orientation, negative for the other.
   double GetSixfoldVolume(std::uint32_t tetrahedron) const
@@ -77,6 +90,6 @@ struct TetrahedraMesh
   }
 };
 
-}
+} // namespace interlume
 
 #endif

@@ -2,7 +2,6 @@
 #include "Order/CentroidOrder.h"
 
 #include "Common/Vectors.h"
-#include "Mesh/TetrahedraExtent.h"
 
 #include "vtkSMPTools.h"
 
@@ -37,7 +36,7 @@ void FillKeys(const TetrahedraMesh& mesh, std::vector<std::uint32_t>& keys, cons
       }
     });
 }
-}
+} // namespace
 
 void CentroidOrder::Compute(
   const TetrahedraMesh& mesh, const Viewpoint& view, std::vector<std::uint32_t>& frontToBack)
@@ -45,7 +44,7 @@ void CentroidOrder::Compute(
   // All measures are of sums of corners: the eye is moved out as far.
   const glm::dvec3 eye = 4.0 * view.Eye;
   const double distance = std::sqrt(glm::dot(eye, eye));
-  const double radius = view.IsParallel ? 0.0 : 4.0 * TetrahedraExtent::GetRadius(mesh);
+  const double radius = view.IsParallel ? 0.0 : 4.0 * mesh.GetRadius();
   if (view.IsParallel)
   {
     FillKeys(
@@ -79,4 +78,4 @@ std::size_t CentroidOrder::GetBytes() const
   return this->Keys.capacity() * sizeof(std::uint32_t) + this->Radix.GetBytes();
 }
 
-}
+} // namespace interlume

@@ -2,8 +2,8 @@
 #include "Order/EyeSides.h"
 
 #include "Common/Vectors.h"
-#include "Mesh/TetrahedraExtent.h"
 #include "Order/EdgeOnRule.h"
+#include "Order/FaceAdjacency.h"
 
 #include "vtkSMPTools.h"
 
@@ -58,11 +58,11 @@ unsigned char FindOrientation(const TetrahedraMesh& mesh, std::uint32_t tetrahed
   }
   return static_cast<unsigned char>(result);
 }
-}
+} // namespace
 
-void EyeSides::Build(const TetrahedraMesh& mesh, const FaceAdjacency& adjacency)
+void EyeSides::Build(const TetrahedraMesh& mesh, const std::vector<std::uint32_t>& twins)
 {
-  this->Radius = TetrahedraExtent::GetRadius(mesh);
+  this->Radius = mesh.GetRadius();
   const std::uint32_t number = mesh.GetNumberOfTetrahedra();
   std::vector<unsigned char> orientations(number);
   vtkSMPTools::For(0, number, Grain,
@@ -73,7 +73,6 @@ void EyeSides::Build(const TetrahedraMesh& mesh, const FaceAdjacency& adjacency)
         orientations[t] = FindOrientation(mesh, static_cast<std::uint32_t>(t));
       }
     });
-  const std::vector<std::uint32_t>& twins = adjacency.GetTwins();
   this->Tetrahedra.resize(number);
   this->OpenFaces.clear();
   for (std::uint32_t t = 0; t < number; ++t)
@@ -154,4 +153,4 @@ std::size_t EyeSides::GetBytes() const
   return this->Tetrahedra.capacity() + this->OpenFaces.capacity() * sizeof(std::uint32_t);
 }
 
-}
+} // namespace interlume

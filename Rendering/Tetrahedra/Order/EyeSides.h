@@ -3,7 +3,6 @@
 #define interlume_EyeSides_h
 
 #include "Mesh/TetrahedraMesh.h"
-#include "Order/FaceAdjacency.h"
 
 #include <array>
 #include <cstdint>
@@ -24,8 +23,9 @@ namespace interlume
 class EyeSides
 {
 public:
-  /// Computes what does not depend on the view: volumes' signs and open faces.
-  void Build(const TetrahedraMesh& mesh, const FaceAdjacency& adjacency);
+  /// Computes what does not depend on the view: volumes' signs and open faces. \a twins are those
+  /// of FaceAdjacency.
+  void Build(const TetrahedraMesh& mesh, const std::vector<std::uint32_t>& twins);
 
   /// Computes for each tetrahedron one bit for each face beyond which its neighbour is in front: 1
   /// << k.
@@ -54,6 +54,6 @@ private:
   double Radius = 0.0;
 };
 
-}
+} // namespace interlume
 
 #endif

@@ -7,8 +7,7 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <numeric>
+#include <utility>
 
 namespace interlume
 {
@@ -52,11 +51,10 @@ struct Candidate
   }
 };
 
-// Matches candidates; returns how many triangles are there more than twice.
-std::uint32_t Match(std::vector<Candidate>& candidates, std::vector<std::uint32_t>& twins)
+// Matches the candidates that are there twice.
+void Match(std::vector<Candidate>& candidates, std::vector<std::uint32_t>& twins)
 {
   std::sort(candidates.begin(), candidates.end());
-  std::uint32_t nonManifold = 0;
   for (auto first = candidates.begin(); first != candidates.end();)
   {
     auto last = first;
@@ -69,35 +67,19 @@ std::uint32_t Match(std::vector<Candidate>& candidates, std::vector<std::uint32_
       twins[first->Face] = first[1].Face;
       twins[first[1].Face] = first->Face;
     }
-    nonManifold += last - first > 2 ? 1 : 0;
     first = last;
   }
-  return nonManifold;
 }
+} // namespace
 
-// Returns the root of a tetrahedron's piece, halving the way to it.
-std::uint32_t FindRoot(std::vector<std::uint32_t>& parents, std::uint32_t tetrahedron)
+std::vector<std::uint32_t> FaceAdjacency::FindTwins(const TetrahedraMesh& mesh)
 {
-  while (parents[tetrahedron] != tetrahedron)
-  {
-    parents[tetrahedron] = parents[parents[tetrahedron]];
-    tetrahedron = parents[tetrahedron];
-  }
-  return tetrahedron;
-}
-}
-
-bool FaceAdjacency::Build(const TetrahedraMesh& mesh)
-{
-  this->Twins.clear();
-  this->BoundaryFaces.clear();
-  this->NonManifoldFaces = 0;
   if (mesh.Corners.size() / 4 > MaximumNumberOfTetrahedra)
   {
-    return false;
+    return {};
   }
   const std::uint32_t faces = 4 * mesh.GetNumberOfTetrahedra();
-  this->Twins.resize(faces);
+  std::vector<std::uint32_t> twins(faces, None);
   std::vector<std::uint32_t> lowest(faces);
   vtkSMPTools::For(0, faces, Grain,
     [&](vtkIdType first, vtkIdType last)
@@ -105,7 +87,6 @@ bool FaceAdjacency::Build(const TetrahedraMesh& mesh)
       for (vtkIdType face = first; face < last; ++face)
       {
         lowest[face] = GetSortedIds(mesh, static_cast<std::uint32_t>(face))[0];
-        this->Twins[face] = None;
       }
     });
 
@@ -113,7 +94,6 @@ bool FaceAdjacency::Build(const TetrahedraMesh& mesh)
   RadixOrder radix;
   radix.Sort(lowest.data(), faces, order.data());
 
-  std::atomic<std::uint32_t> nonManifold(0);
   vtkSMPTools::For(0, faces, Grain,
     [&](vtkIdType first, vtkIdType last)
     {
@@ -123,7 +103,6 @@ bool FaceAdjacency::Build(const TetrahedraMesh& mesh)
         ++first;
       }
       std::vector<Candidate> candidates;
-      std::uint32_t found = 0;
       for (vtkIdType i = first; i < last;)
       {
         const std::uint32_t id = lowest[order[i]];
@@ -133,49 +112,10 @@ bool FaceAdjacency::Build(const TetrahedraMesh& mesh)
           const auto ids = GetSortedIds(mesh, order[i]);
           candidates.push_back({ static_cast<std::uint64_t>(ids[1]) << 32 | ids[2], order[i] });
         }
-        found += Match(candidates, this->Twins);
+        Match(candidates, twins);
       }
-      nonManifold += found;
     });
-  this->NonManifoldFaces = nonManifold;
-  this->ListBoundary();
-  return true;
+  return twins;
 }
 
-void FaceAdjacency::ListBoundary()
-{
-  for (std::size_t face = 0; face < this->Twins.size(); ++face)
-  {
-    if (this->Twins[face] == None)
-    {
-      this->BoundaryFaces.push_back(static_cast<std::uint32_t>(face));
-    }
-  }
-}
-
-std::uint32_t FaceAdjacency::CountComponents() const
-{
-  std::vector<std::uint32_t> parents(this->Twins.size() / 4);
-  std::iota(parents.begin(), parents.end(), 0);
-  std::uint32_t components = static_cast<std::uint32_t>(parents.size());
-  for (std::size_t face = 0; face < this->Twins.size(); ++face)
-  {
-    // Each pair is visited once.
-    const std::uint32_t twin = this->Twins[face];
-    if (twin != None && twin < face)
-    {
-      const std::uint32_t a = FindRoot(parents, static_cast<std::uint32_t>(face / 4));
-      const std::uint32_t b = FindRoot(parents, twin / 4);
-      components -= a != b ? 1 : 0;
-      parents[std::max(a, b)] = std::min(a, b);
-    }
-  }
-  return components;
-}
-
-std::size_t FaceAdjacency::GetBytes() const
-{
-  return (this->Twins.capacity() + this->BoundaryFaces.capacity()) * sizeof(std::uint32_t);
-}
-
-}
+} // namespace interlume

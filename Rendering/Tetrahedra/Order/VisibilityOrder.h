@@ -3,18 +3,20 @@
 #define interlume_VisibilityOrder_h
 
 #include "Mesh/TetrahedraMesh.h"
+#include "Order/CentroidOrder.h"
+#include "Order/EyeSides.h"
+#include "Order/GapRelations.h"
+#include "Order/VisibilitySearch.h"
 #include "View/ViewRays.h"
 
 #include "vtkType.h"
 
+#include <cstddef>
 #include <cstdint>
-#include <memory> // for what is kept from view to view
 #include <vector>
 
 namespace interlume
 {
-
-class FaceAdjacency;
 
 /**
  * @class   VisibilityOrder
@@ -40,9 +42,6 @@ class FaceAdjacency;
 class VisibilityOrder
 {
 public:
-  VisibilityOrder();
-  ~VisibilityOrder();
-
   /**
    * Takes the data that do not depend on the view from a mesh, which the calls of Compute are then
    * given. Returns false beyond FaceAdjacency::MaximumNumberOfTetrahedra; nothing may be computed
@@ -58,25 +57,26 @@ public:
     const TetrahedraMesh& mesh, const ViewRays& rays, std::vector<std::uint32_t>& frontToBack);
 
   /// Returns the number of tetrahedra in cycles of visibility, in the last order computed.
-  vtkIdType GetNumberOfTetrahedraInCycles() const;
+  vtkIdType GetNumberOfTetrahedraInCycles() const { return this->InCycles; }
   /// Returns the number of pairs of tetrahedra that are related across a gap, in the last order
   /// computed; 0 for a convex mesh.
-  vtkIdType GetNumberOfGapRelations() const;
-
-  /// Returns the faces of the mesh, after Build.
-  const FaceAdjacency& GetAdjacency() const;
+  vtkIdType GetNumberOfGapRelations() const { return this->Gaps.GetNumberOfRelations(); }
 
   /// Returns the bytes held.
   std::size_t GetBytes() const;
 
 private:
-  VisibilityOrder(const VisibilityOrder&) = delete;
-  void operator=(const VisibilityOrder&) = delete;
-
-  class Internals;
-  std::unique_ptr<Internals> Internal;
+  /// The data that do not depend on the view: see FaceAdjacency.
+  std::vector<std::uint32_t> Twins;
+  EyeSides Sides;
+  CentroidOrder Centroid;
+  GapRelations Gaps;
+  VisibilitySearch Search;
+  std::vector<unsigned char> InFront;
+  std::vector<std::uint32_t> Centroids;
+  vtkIdType InCycles = 0;
 };
 
-}
+} // namespace interlume
 
 #endif
