@@ -141,11 +141,9 @@ std::vector<float> PiecePicture::DrawLayers(const std::map<int, double>& priorit
     const std::vector<float> layer = this->DrawSum(Blends::OPTICAL_DEPTH, &members[name]);
     for (std::size_t p = 0; p < this->Pixels; ++p)
     {
-      const float through = 1.0f - colors[4 * p + 3];
-      for (std::size_t c = 4 * p; c < 4 * p + 4; ++c)
-      {
-        colors[c] += through * layer[c];
-      }
+      Pixel pixel = Get(colors, p);
+      FragmentBlending::LayBehind(pixel, Get(layer, p));
+      Set(colors, p, pixel);
     }
   }
   return colors;

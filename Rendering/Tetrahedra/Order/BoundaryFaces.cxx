@@ -34,14 +34,11 @@ std::size_t Mix(std::uint64_t hash, std::uint64_t word)
   return static_cast<std::size_t>(hash);
 }
 
-struct IdsHash
+using Place = std::array<double, 3>;
+
+struct Hash
 {
   std::size_t operator()(const Ids& ids) const { return Mix(Mix(Mix(1, ids[0]), ids[1]), ids[2]); }
-};
-
-using Place = std::array<double, 3>;
-struct PlaceHash
-{
   std::size_t operator()(const Place& place) const
   {
     std::size_t hash = 1;
@@ -79,7 +76,7 @@ std::vector<std::uint32_t> MatchPoints(vtkDataSet* triangles, vtkUnstructuredGri
   {
     return match;
   }
-  std::unordered_map<Place, std::uint32_t, PlaceHash> places;
+  std::unordered_map<Place, std::uint32_t, Hash> places;
   places.reserve(grid->GetNumberOfPoints());
   for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
   {
@@ -96,15 +93,8 @@ std::vector<std::uint32_t> MatchPoints(vtkDataSet* triangles, vtkUnstructuredGri
 // Adds the normal of a triangle, as long as twice its area, to its corners.
 void AddNormal(const TetrahedraMesh& mesh, const Ids& ids, TetrahedraFields& fields)
 {
-  double u[3];
-  double v[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    u[i] = mesh.GetPoint(ids[1])[i] - mesh.GetPoint(ids[0])[i];
-    v[i] = mesh.GetPoint(ids[2])[i] - mesh.GetPoint(ids[0])[i];
-  }
-  const double normal[3] = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-    u[0] * v[1] - u[1] * v[0] };
+  const auto point = [&](int i) { return glm::make_vec3(mesh.GetPoint(ids[i])); };
+  const glm::dvec3 normal = glm::cross(point(1) - point(0), point(2) - point(0));
   for (std::uint32_t id : ids)
   {
     for (int i = 0; i < 3; ++i)
@@ -152,7 +142,7 @@ BoundaryFaces::Counts BoundaryFaces::Build(vtkDataSet* triangles, vtkUnstructure
   }
 
   // The triangles by their sorted corners, and whether a tetrahedron was found.
-  std::unordered_map<Ids, bool, IdsHash> faces;
+  std::unordered_map<Ids, bool, Hash> faces;
   std::vector<bool> isCorner(points, false);
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < triangles->GetNumberOfCells(); ++cell)

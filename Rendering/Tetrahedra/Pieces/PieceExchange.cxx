@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pieces/PieceExchange.h"
 
-#include "vtkCommunicator.h"
-#include "vtkMultiProcessController.h"
-
 #include <algorithm>
 #include <functional>
 #include <limits>
@@ -35,39 +32,6 @@ int PieceExchange::GetRank() const
 int PieceExchange::GetNumberOfRanks() const
 {
   return this->Controller->GetNumberOfProcesses();
-}
-
-template <typename Number>
-void PieceExchange::Reduce(std::vector<Number>& numbers, int operation) const
-{
-  const std::vector<Number> own = numbers;
-  this->Controller->AllReduce(
-    own.data(), numbers.data(), static_cast<vtkIdType>(own.size()), operation);
-}
-
-void PieceExchange::Add(std::vector<float>& numbers) const
-{
-  this->Reduce(numbers, vtkCommunicator::SUM_OP);
-}
-
-void PieceExchange::Maximize(std::vector<int>& numbers) const
-{
-  this->Reduce(numbers, vtkCommunicator::MAX_OP);
-}
-
-void PieceExchange::Maximize(std::vector<float>& numbers) const
-{
-  this->Reduce(numbers, vtkCommunicator::MAX_OP);
-}
-
-void PieceExchange::Minimize(std::vector<int>& numbers) const
-{
-  this->Reduce(numbers, vtkCommunicator::MIN_OP);
-}
-
-void PieceExchange::Minimize(std::vector<float>& numbers) const
-{
-  this->Reduce(numbers, vtkCommunicator::MIN_OP);
 }
 
 std::vector<int> PieceExchange::Unite(const std::vector<int>& numbers) const

@@ -4,11 +4,12 @@
 
 #include "Pieces/PieceOrder.h"
 
+#include "vtkCommunicator.h"
+#include "vtkMultiProcessController.h"
+
 #include <array>
 #include <memory>
 #include <vector>
-
-class vtkMultiProcessController;
 
 namespace interlume
 {
@@ -36,16 +37,23 @@ public:
   int GetRank() const;
   int GetNumberOfRanks() const;
 
-  /// Replaces numbers by their sums over all processes.
-  void Add(std::vector<float>& numbers) const;
   ///@{
-  /**
-   * Replaces numbers by the largest, or the smallest, of all processes.
-   */
-  void Maximize(std::vector<int>& numbers) const;
-  void Maximize(std::vector<float>& numbers) const;
-  void Minimize(std::vector<int>& numbers) const;
-  void Minimize(std::vector<float>& numbers) const;
+  /// Replace numbers by their sums, or the largest or smallest, over all processes.
+  template <typename Number>
+  void Add(std::vector<Number>& numbers) const
+  {
+    this->Reduce(numbers, vtkCommunicator::SUM_OP);
+  }
+  template <typename Number>
+  void Maximize(std::vector<Number>& numbers) const
+  {
+    this->Reduce(numbers, vtkCommunicator::MAX_OP);
+  }
+  template <typename Number>
+  void Minimize(std::vector<Number>& numbers) const
+  {
+    this->Reduce(numbers, vtkCommunicator::MIN_OP);
+  }
   ///@}
   /// Returns the numbers that any process has, each once; every process may have another count.
   std::vector<int> Unite(const std::vector<int>& numbers) const;
@@ -57,7 +65,12 @@ public:
 
 private:
   template <typename Number>
-  void Reduce(std::vector<Number>& numbers, int operation) const;
+  void Reduce(std::vector<Number>& numbers, int operation) const
+  {
+    const std::vector<Number> own = numbers;
+    this->Controller->AllReduce(
+      own.data(), numbers.data(), static_cast<vtkIdType>(own.size()), operation);
+  }
   /**
    * Sends numbers to the process that is \a distance places behind in an order, and returns those
    * of the one as far before; none where there is no such process.

@@ -79,18 +79,12 @@ void ForEachColor(
   }
 }
 
+// Clones can be called from their own source only.
 INTERLUME_CLONES
 void CompositeColors(const Fragments& f, const TetrahedraFrame& frame, Pixel* pixels)
 {
   ForEachColor(f, frame, pixels,
-    [](Pixel& pixel, int, const Pixel& color)
-    {
-      const float through = 1.0f - pixel[3];
-      for (int c = 0; c < 4; ++c)
-      {
-        pixel[c] += through * color[c];
-      }
-    });
+    [](Pixel& pixel, int, const Pixel& color) { FragmentBlending::LayBehind(pixel, color); });
 }
 
 INTERLUME_CLONES
@@ -115,20 +109,12 @@ void FragmentBlending::Composite(const Fragments& f, const TetrahedraFrame& fram
 void FragmentBlending::CompositeWithSurface(
   const Fragments& f, const TetrahedraFrame& frame, const SurfaceFragments& surface, Pixel* pixels)
 {
-  const auto lay = [](Pixel& pixel, const Pixel& color)
-  {
-    const float through = 1.0f - pixel[3];
-    for (int c = 0; c < 4; ++c)
-    {
-      pixel[c] += through * color[c];
-    }
-  };
   ForEachColor(f, frame, pixels,
     [&](Pixel& pixel, int i, const Pixel& color)
     {
-      lay(pixel, surface.GetFront(i));
-      lay(pixel, color);
-      lay(pixel, surface.GetBack(i));
+      LayBehind(pixel, surface.GetFront(i));
+      LayBehind(pixel, color);
+      LayBehind(pixel, surface.GetBack(i));
     });
 }
 

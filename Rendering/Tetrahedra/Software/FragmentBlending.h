@@ -36,6 +36,16 @@ public:
    */
   static void Sum(const Fragments& fragments, const TetrahedraFrame& frame, Pixel* pixels);
 
+  /// Lays a color, multiplied by its opacity, behind a pixel.
+  static void LayBehind(Pixel& pixel, const Pixel& color)
+  {
+    const float through = 1.0f - pixel[3];
+    for (int c = 0; c < 4; ++c)
+    {
+      pixel[c] += through * color[c];
+    }
+  }
+
   ///@{
   /**
    * Keep the largest scalar, as the first of a pixel, or each channel's largest colour times

@@ -12,13 +12,13 @@
 namespace interlume
 {
 
-void SoftwareRasterizer::Prepare(const TetrahedraFrame& frame)
+bool SoftwareRasterizer::Draw(const TetrahedraFrame& frame, const std::function<bool()>& isAborted)
 {
   this->Bins.Fill(frame);
-}
-
-void SoftwareRasterizer::DrawTiles(const TetrahedraFrame& frame)
-{
+  if (isAborted())
+  {
+    return false;
+  }
   const auto width = static_cast<std::size_t>(frame.View.GetWidth());
   const std::size_t pixels = width * frame.View.GetHeight();
   const bool isSelection = frame.Blend == TetrahedraFrame::SELECTION;
@@ -56,6 +56,7 @@ void SoftwareRasterizer::DrawTiles(const TetrahedraFrame& frame)
         }
       }
     });
+  return true;
 }
 
 std::size_t SoftwareRasterizer::GetBytes() const

@@ -6,6 +6,7 @@
 #include "Software/TileBins.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace interlume
@@ -22,20 +23,8 @@ namespace interlume
 class SoftwareRasterizer
 {
 public:
-  /**
-   * Draws a picture; returns false where \a isAborted said so.
-   */
-  template <typename Abort>
-  bool Draw(const TetrahedraFrame& frame, Abort&& isAborted)
-  {
-    this->Prepare(frame);
-    if (isAborted())
-    {
-      return false;
-    }
-    this->DrawTiles(frame);
-    return true;
-  }
+  /// Draws an image; returns false if \a isAborted returned true.
+  bool Draw(const TetrahedraFrame& frame, const std::function<bool()>& isAborted);
 
   /// Returns RGBA row by row from below, colour multiplied by opacity, or sums where the frame asks
   /// for them; not for SELECTION.
@@ -49,9 +38,6 @@ public:
   std::size_t GetBytes() const;
 
 private:
-  void Prepare(const TetrahedraFrame& frame);
-  void DrawTiles(const TetrahedraFrame& frame);
-
   TileBins Bins;
   std::vector<float> Colors;
   std::vector<std::uint32_t> Tetrahedra;

@@ -439,13 +439,11 @@ void TileRasterizer::IntegrateAndBlend()
       }
       break;
     case Blends::ADDITIVE:
+    case Blends::OPTICAL_DEPTH:
       FragmentBlending::Sum(f, this->Frame, this->Pixels.data());
       break;
     case Blends::PRIORITY:
       FragmentBlending::Sum(f, this->Frame, this->Layer.data());
-      break;
-    case Blends::OPTICAL_DEPTH:
-      FragmentBlending::Sum(f, this->Frame, this->Pixels.data());
       break;
     default:
       FragmentBlending::ForEachSegment(f,
@@ -481,13 +479,7 @@ void TileRasterizer::ResolveLayer()
   this->Flush();
   for (int i = 0; i < SIZE * SIZE; ++i)
   {
-    const Pixel layer = FragmentBlending::Resolve(this->Layer[i]);
-    Pixel& pixel = this->Pixels[i];
-    const float through = 1.0f - pixel[3];
-    for (int c = 0; c < 4; ++c)
-    {
-      pixel[c] += through * layer[c];
-    }
+    FragmentBlending::LayBehind(this->Pixels[i], FragmentBlending::Resolve(this->Layer[i]));
     this->Layer[i] = { { 0.0f, 0.0f, 0.0f, 0.0f } };
   }
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace interlume
 {
@@ -279,12 +280,12 @@ ViewRays TetrahedraView::GetRays() const
 
 bool TetrahedraView::operator==(const TetrahedraView& other) const
 {
-  return this->Width == other.Width && this->Height == other.Height &&
-    this->Parallel == other.Parallel && this->Unit == other.Unit &&
-    this->EyeFromMesh == other.EyeFromMesh && this->NearPlane == other.NearPlane &&
-    this->FarPlane == other.FarPlane && this->ScaleX == other.ScaleX &&
-    this->SkewX == other.SkewX && this->ShiftX == other.ShiftX && this->OffsetX == other.OffsetX &&
-    this->ScaleY == other.ScaleY && this->ShiftY == other.ShiftY && this->OffsetY == other.OffsetY;
+  const auto tie = [](const TetrahedraView& v)
+  {
+    return std::tie(v.Width, v.Height, v.Parallel, v.Unit, v.EyeFromMesh, v.NearPlane, v.FarPlane,
+      v.ScaleX, v.SkewX, v.ShiftX, v.OffsetX, v.ScaleY, v.ShiftY, v.OffsetY);
+  };
+  return tie(*this) == tie(other);
 }
 
 }
