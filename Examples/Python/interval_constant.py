@@ -5,7 +5,7 @@ python3 interval_constant.py PICTURE.png
 """
 
 import numpy as np
-from interlume import vtkIntervalVolume, vtkTetrahedraSettings
+from interlume import vtkIntervalVolume, vtkTimeWeightedTetrahedraMapper
 from props import (
     COLORS, add_gradient, make_boundary, make_intervals, read, reduce, run, set_boundary)
 from stage import Stage
@@ -31,7 +31,7 @@ for caption in ("the whole mesh", "a quarter of the cells hidden"):
     print(np.bincount(vtk_to_numpy(mesh.GetCellData().GetArray("IntervalId"))), "tetrahedra")
     volume = make_intervals(mesh, *zip(COLORS, extinctions))
     volume.GetMapper().SetBlendModeToComposite()
-    volume.GetMapper().SetSortMode(vtkTetrahedraSettings.MPVONC_SORT)
+    volume.GetMapper().SetSortMode(vtkTimeWeightedTetrahedraMapper.MPVONC_SORT)
     set_boundary(volume, make_boundary(intervals, intervals.LOWER_SIDE), (1.0, 1.0, 1.0), 0.06)
     stage.add_panel(caption).add(volume)
 stage.panels[0].look_from((-0.8, -1.0, 0.35))

@@ -6,8 +6,8 @@ The classes stand in modules that are named as the libraries, and all of them he
     from interlume import vtkIntervalVolume
     from interlume.InterlumeIntervals import vtkIntervalVolume
 
-Constants of a class with many settings stand in its settings, as vtkTetrahedraSettings.MPVONC_SORT
-for vtkTimeWeightedTetrahedraMapper. A report's numbers come by report(algorithm), as a dictionary.
+Constants of a class stand in it, or in its settings, as vtkShadowedSliceSettings.BILINEAR_LIGHT for
+vtkShadowedSliceMapper. A report's numbers come by report(algorithm), as a dictionary.
 
 They work with the vtkmodules of the VTK that the libraries were built with, and with no other.
 """

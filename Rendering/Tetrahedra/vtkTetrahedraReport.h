@@ -19,7 +19,7 @@
  */
 struct INTERLUMETETRAHEDRA_EXPORT vtkTetrahedraReport
 {
-  /// What was used: vtkTetrahedraSettings::RenderPaths, BlendModes, SortModes, each
+  /// What was used: vtkTimeWeightedTetrahedraMapper::RenderPaths, BlendModes, SortModes, each
   /// resolved from its automatic choice, and the shader that made silhouettes with the OpenGL path,
   /// of SilhouetteShaders; 0 with the other.
   int RenderPath = 0;

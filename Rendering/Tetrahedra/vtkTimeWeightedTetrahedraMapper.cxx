@@ -323,15 +323,14 @@ void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* v
   renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
   this->Report = vtkTetrahedraReport();
   const bool hasGrid = grid && grid->GetNumberOfCells() > 0;
-  interlume::TetrahedraRenderer::Request request(*this);
+  interlume::TetrahedraRenderer::Request request;
+  request.Mapper = this;
   request.Pieces = renderer->GetSelector() ? nullptr : this->Pieces.get();
   if ((!hasGrid && !request.Pieces) || width <= 0 || height <= 0)
   {
     return;
   }
   request.Grid = hasGrid ? grid : nullptr;
-  request.Blend = this->BlendMode;
-  request.ClippingPlanes = this->ClippingPlanes;
   request.Boundary = vtkDataSet::SafeDownCast(
     this->GetNumberOfInputConnections(1) > 0 ? this->GetExecutive()->GetInputData(1, 0) : nullptr);
   std::string error = hasGrid ? this->FindArrays(grid, request.Arrays) : std::string();

@@ -51,8 +51,8 @@ intervals.SetInterval(1, 2.0, 3.0)
 assert intervals.GetNumberOfIntervals() == 2
 assert intervals.LOWER_SIDE != intervals.UPPER_SIDE
 mapper = interlume.vtkTimeWeightedTetrahedraMapper()
-mapper.SetSortMode(interlume.vtkTetrahedraSettings.MPVONC_SORT)
-assert mapper.GetSortMode() == interlume.vtkTetrahedraSettings.MPVONC_SORT != 0
+mapper.SetSortMode(mapper.MPVONC_SORT)
+assert mapper.GetSortMode() == mapper.MPVONC_SORT != 0
 # VTK's properties, where it makes them.
 if hasattr(mapper, "blend_mode"):
     intervals.generate_boundaries = True

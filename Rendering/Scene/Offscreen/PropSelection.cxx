@@ -13,28 +13,30 @@
 namespace interlume
 {
 
-void PropSelection::Show(
-  vtkHardwareSelector* selector, vtkOpenGLRenderWindow* window, vtkTextureObject* picture)
+bool PropSelection::FindColor(vtkHardwareSelector* selector, float* color)
 {
-  std::array<float, 3> color{ { 0.0f, 0.0f, 0.0f } };
-  bool isShown = picture != nullptr;
-  selector->BeginRenderProp();
   switch (selector->GetCurrentPass())
   {
     case vtkHardwareSelector::ACTOR_PASS:
-      std::copy_n(selector->GetPropColorValue(), 3, color.begin());
-      break;
+      std::copy_n(selector->GetPropColorValue(), 3, color);
+      return true;
     case vtkHardwareSelector::PROCESS_PASS:
-      vtkHardwareSelector::Convert(selector->GetProcessID() + 1, color.data());
-      break;
+      vtkHardwareSelector::Convert(selector->GetProcessID() + 1, color);
+      return true;
     case vtkHardwareSelector::COMPOSITE_INDEX_PASS:
-      vtkHardwareSelector::Convert(1, color.data());
-      break;
+      vtkHardwareSelector::Convert(1, color);
+      return true;
     default:
-      isShown = false;
-      break;
+      return false;
   }
-  if (isShown)
+}
+
+void PropSelection::Show(
+  vtkHardwareSelector* selector, vtkOpenGLRenderWindow* window, vtkTextureObject* picture)
+{
+  std::array<float, 3> color{};
+  selector->BeginRenderProp();
+  if (picture && FindColor(selector, color.data()))
   {
     this->Quad.DrawWith(window, picture, InterlumePropSelectionFS,
       [&color](vtkShaderProgram* program)

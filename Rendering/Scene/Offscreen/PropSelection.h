@@ -20,9 +20,12 @@ namespace interlume
 class INTERLUMESCENE_EXPORT PropSelection
 {
 public:
+  /// Sets the color of the selector's pass for a prop as a whole. Returns false in passes that ask
+  /// for its cells or points.
+  static bool FindColor(vtkHardwareSelector* selector, float* color);
+
   /**
-   * Draws the colour of the selector's pass over the viewport where \a picture, of RGBA, has
-   * opacity: in passes that ask for the prop, its process or its only block. A null picture is
+   * Draws that color over the viewport where \a picture, of RGBA, has opacity. A null picture is
    * empty.
    */
   void Show(

@@ -20,22 +20,21 @@
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
 #include "vtkTexture.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkTimerLog.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkUnstructuredGridVolumeMapper.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace interlume
 {
 
-using Settings = vtkTetrahedraSettings;
-using Mapper = vtkUnstructuredGridVolumeMapper;
+using Mapper = vtkTimeWeightedTetrahedraMapper;
 
 namespace
 {
@@ -48,46 +47,32 @@ TetrahedraFrame::Blends GetBlend(int mode)
   {
     case Mapper::MAXIMUM_INTENSITY_BLEND:
       return TetrahedraFrame::MAXIMUM;
-    case Settings::ADDITIVE_BLEND:
+    case Mapper::ADDITIVE_BLEND:
       return TetrahedraFrame::ADDITIVE;
-    case Settings::PRIORITY_BLEND:
+    case Mapper::PRIORITY_BLEND:
       return TetrahedraFrame::PRIORITY;
-    case Settings::OPTICAL_DEPTH_BLEND:
+    case Mapper::OPTICAL_DEPTH_BLEND:
       return TetrahedraFrame::OPTICAL_DEPTH;
     default:
       return TetrahedraFrame::COMPOSITE;
   }
 }
-}
+} // namespace
 
-/// The state that a picture of the software path is made from.
+/// The state that an image of the software path was drawn from.
 struct TetrahedraRenderer::DrawnState
 {
-  TetrahedraView View;
-  std::vector<PlaneClip::Plane> Planes;
-  int MeshVersion = 0;
-  int ColorVersion = 0;
-  int OrderVersion = 0;
-  int SurfaceVersion = 0;
-  TetrahedraFrame::Blends Blend = TetrahedraFrame::SELECTION;
-  bool IsExact = false;
+  TetrahedraFrame Frame;
   /// Whether it is one piece of several; then Opaque is the depth of the own surfaces.
   bool IsPiece = false;
-  int PixelStride = 0;
-  std::uint32_t TetrahedronStride = 0;
   std::vector<float> Opaque;
   /// The order of the pieces that are drawn together.
-  std::vector<int> Order;
+  std::vector<int> PieceOrder;
 
   bool operator==(const DrawnState& other) const
   {
-    return this->View == other.View && this->Planes == other.Planes &&
-      this->MeshVersion == other.MeshVersion && this->ColorVersion == other.ColorVersion &&
-      this->OrderVersion == other.OrderVersion && this->SurfaceVersion == other.SurfaceVersion &&
-      this->Blend == other.Blend && this->IsExact == other.IsExact &&
-      this->IsPiece == other.IsPiece && this->PixelStride == other.PixelStride &&
-      this->TetrahedronStride == other.TetrahedronStride && this->Opaque == other.Opaque &&
-      this->Order == other.Order;
+    return this->Frame.HasSameImage(other.Frame) && this->IsPiece == other.IsPiece &&
+      this->Opaque == other.Opaque && this->PieceOrder == other.PieceOrder;
   }
 };
 
@@ -95,13 +80,7 @@ struct TetrahedraRenderer::WindowResources
 {
   ImageQuad Quad;
   OpenGLRasterizer Rasterizer;
-  int MeshVersion = 0;
-  int ValueVersion = 0;
-  int ColorVersion = 0;
-  int OrderVersion = 0;
-  int BoundaryVersion = 0;
-  std::vector<PlaneClip::Plane> Planes;
-  DrawnState Drawn;
+  std::optional<DrawnState> Drawn;
   vtkIdType NumberDrawn = 0;
 };
 
@@ -114,9 +93,7 @@ std::string TetrahedraRenderer::UpdateMesh(const Request& request, vtkTetrahedra
   const MeshKey& before = this->MeshState;
   const TetrahedraArrays& arrays = request.Arrays;
   const bool isSame = before.Grid == request.Grid && before.Time == request.Grid->GetMTime() &&
-    before.Arrays.Scalars == arrays.Scalars &&
-    before.Arrays.ScalarsAreOfCells == arrays.ScalarsAreOfCells &&
-    before.Arrays.DeltaT == arrays.DeltaT && before.Arrays.Layers == arrays.Layers;
+    before.Arrays == arrays;
   if (isSame)
   {
     return {};
@@ -136,7 +113,7 @@ std::string TetrahedraRenderer::UpdateMesh(const Request& request, vtkTetrahedra
     {
       return error;
     }
-    ++this->MeshVersion;
+    ++this->Frame.Versions.Mesh;
   }
   const std::vector<int> layers = this->Fields.Layers;
   TetrahedraBuilder::BuildFields(arrays, this->Mesh, this->Fields);
@@ -145,7 +122,7 @@ std::string TetrahedraRenderer::UpdateMesh(const Request& request, vtkTetrahedra
     this->Order.ResetLayers();
   }
   this->MeshState = { request.Grid, request.Grid->GetMTime(), arrays };
-  ++this->ValueVersion;
+  ++this->Frame.Versions.Values;
   return {};
 }
 
@@ -165,7 +142,7 @@ std::string TetrahedraRenderer::UpdateColors(
     return error;
   }
   // The property chooses the component that is the scalar.
-  this->ValueVersion += scalars == this->Fields.Scalars ? 0 : 1;
+  this->Frame.Versions.Values += scalars == this->Fields.Scalars ? 0 : 1;
   if (this->Fields.Kind == TetrahedraFields::SCALARS)
   {
     this->Pieces.Build(property, 0, this->Fields.Range, unit);
@@ -174,7 +151,7 @@ std::string TetrahedraRenderer::UpdateColors(
   this->PropertyTime = property->GetMTime();
   this->ColorUnit = unit;
   this->HasOneColor = this->FindOneColor();
-  ++this->ColorVersion;
+  ++this->Frame.Versions.Colors;
   return {};
 }
 
@@ -192,14 +169,13 @@ bool TetrahedraRenderer::FindOneColor() const
 
 void TetrahedraRenderer::ChooseBlend(const Request& request, vtkTetrahedraReport& report)
 {
-  report.BlendMode = request.Blend;
+  report.BlendMode = request.Mapper->GetBlendMode();
   report.BlendReason = "as asked for";
-  if (request.Blend == Settings::AUTOMATIC_BLEND)
+  if (request.Mapper->GetBlendMode() == Mapper::AUTOMATIC_BLEND)
   {
-    const bool hasTime = request.Pieces
-      ? request.Pieces->GetBlend() == Settings::OPTICAL_DEPTH_BLEND
-      : request.Arrays.DeltaT != nullptr;
-    report.BlendMode = hasTime ? static_cast<int>(Settings::OPTICAL_DEPTH_BLEND)
+    const bool hasTime = request.Pieces ? request.Pieces->GetBlend() == Mapper::OPTICAL_DEPTH_BLEND
+                                        : request.Arrays.DeltaT != nullptr;
+    report.BlendMode = hasTime ? static_cast<int>(Mapper::OPTICAL_DEPTH_BLEND)
                                : static_cast<int>(Mapper::COMPOSITE_BLEND);
     report.BlendReason = hasTime ? "with an extent in time tetrahedra overlap and have no order"
                                  : "without an extent in time tetrahedra have an order";
@@ -209,12 +185,12 @@ void TetrahedraRenderer::ChooseBlend(const Request& request, vtkTetrahedraReport
 void TetrahedraRenderer::ChoosePath(
   const Request& request, vtkOpenGLRenderWindow* window, vtkTetrahedraReport& report)
 {
-  report.RenderPath = request.Settings.RenderPath;
+  report.RenderPath = request.Mapper->GetRenderPath();
   report.PathReason = "as asked for";
-  if (request.Settings.RenderPath == Settings::AUTOMATIC_PATH)
+  if (request.Mapper->GetRenderPath() == Mapper::AUTOMATIC_PATH)
   {
     const bool isSoftware = SoftwareOpenGL::IsUsed(window);
-    report.RenderPath = isSoftware ? Settings::SOFTWARE_PATH : Settings::OPENGL_PATH;
+    report.RenderPath = isSoftware ? Mapper::SOFTWARE_PATH : Mapper::OPENGL_PATH;
     report.PathReason =
       isSoftware ? "OpenGL is itself software here" : "OpenGL runs on a graphics card";
   }
@@ -224,32 +200,32 @@ void TetrahedraRenderer::ChooseShader(
   const Request& request, vtkOpenGLRenderWindow* window, vtkTetrahedraReport& report)
 {
   this->Frame.IsPulled = false;
-  if (report.RenderPath != Settings::OPENGL_PATH)
+  if (report.RenderPath != Mapper::OPENGL_PATH)
   {
     return;
   }
-  report.SilhouetteShader = request.Settings.SilhouetteShader;
+  report.SilhouetteShader = request.Mapper->GetSilhouetteShader();
   report.ShaderReason = "as asked for";
-  if (request.Settings.SilhouetteShader == Settings::AUTOMATIC_SHADER)
+  if (request.Mapper->GetSilhouetteShader() == Mapper::AUTOMATIC_SHADER)
   {
     const bool isSoftware = SoftwareOpenGL::IsUsed(window);
-    report.SilhouetteShader = isSoftware ? Settings::GEOMETRY_SHADER : Settings::VERTEX_SHADER;
+    report.SilhouetteShader = isSoftware ? Mapper::GEOMETRY_SHADER : Mapper::VERTEX_SHADER;
     report.ShaderReason = isSoftware ? "OpenGL is itself software here"
                                      : "many graphics cards have slow geometry shaders";
   }
-  this->Frame.IsPulled = report.SilhouetteShader == Settings::VERTEX_SHADER;
+  this->Frame.IsPulled = report.SilhouetteShader == Mapper::VERTEX_SHADER;
 }
 
 void TetrahedraRenderer::ChooseSort(const Request& request, vtkTetrahedraReport& report)
 {
-  report.SortMode = Settings::NO_SORT;
+  report.SortMode = Mapper::NO_SORT;
   if (report.BlendMode != Mapper::COMPOSITE_BLEND)
   {
     report.SortReason = "the blend mode needs no order";
   }
-  else if (request.Settings.SortMode != Settings::AUTOMATIC_SORT)
+  else if (request.Mapper->GetSortMode() != Mapper::AUTOMATIC_SORT)
   {
-    report.SortMode = request.Settings.SortMode;
+    report.SortMode = request.Mapper->GetSortMode();
     report.SortReason = "as asked for";
   }
   else if (!this->Frame.Surface && this->HasOneColor)
@@ -258,17 +234,17 @@ void TetrahedraRenderer::ChooseSort(const Request& request, vtkTetrahedraReport&
   }
   else if (request.Arrays.DeltaT)
   {
-    report.SortMode = Settings::CENTROID_SORT;
+    report.SortMode = Mapper::CENTROID_SORT;
     report.SortReason = "with an extent in time tetrahedra overlap";
   }
   else if (this->Mesh.GetNumberOfTetrahedra() > MPVONC_LIMIT)
   {
-    report.SortMode = Settings::CENTROID_SORT;
+    report.SortMode = Mapper::CENTROID_SORT;
     report.SortReason = "more than " + std::to_string(MPVONC_LIMIT) + " tetrahedra";
   }
   else
   {
-    report.SortMode = Settings::MPVONC_SORT;
+    report.SortMode = Mapper::MPVONC_SORT;
     report.SortReason = "colours differ and tetrahedra are few enough";
   }
 }
@@ -278,22 +254,22 @@ const std::vector<std::uint32_t>* TetrahedraRenderer::UpdateOrder(
 {
   const std::vector<std::uint32_t>* order = nullptr;
   report.Passes = 1;
-  if (report.BlendMode == Settings::PRIORITY_BLEND)
+  if (report.BlendMode == Mapper::PRIORITY_BLEND)
   {
-    order = this->Order.ComputeLayers(this->Fields.Layers, request.Settings.LayerPriorities);
+    order = this->Order.ComputeLayers(this->Fields.Layers, request.Mapper->GetLayerPriorities());
     report.Layers = this->Order.GetNumberOfLayers();
     report.Passes = report.Layers;
   }
   else
   {
-    const auto kind = report.SortMode == Settings::CENTROID_SORT ? TetrahedraOrder::CENTROID
-      : report.SortMode == Settings::MPVONC_SORT                 ? TetrahedraOrder::VISIBILITY
-                                                                 : TetrahedraOrder::NONE;
+    const auto kind = report.SortMode == Mapper::CENTROID_SORT ? TetrahedraOrder::CENTROID
+      : report.SortMode == Mapper::MPVONC_SORT                 ? TetrahedraOrder::VISIBILITY
+                                                               : TetrahedraOrder::NONE;
     order = this->Order.Compute(kind, this->Mesh, this->Frame.View);
     report.Sorted = this->Order.WasComputed();
   }
-  this->OrderVersion += this->Order.WasComputed() ? 1 : 0;
-  if (report.SortMode == Settings::MPVONC_SORT)
+  this->Frame.Versions.Order += this->Order.WasComputed() ? 1 : 0;
+  if (report.SortMode == Mapper::MPVONC_SORT)
   {
     report.Cycles = this->Order.GetCycles();
     report.Gaps = this->Order.GetGaps();
@@ -312,7 +288,7 @@ int TetrahedraRenderer::ChooseLevel(
     this->LevelOfDetail.Reset();
     this->LevelConditions = conditions;
   }
-  const int level = request.Settings.AutoAdjustLevelOfDetail && !renderer->GetSelector()
+  const int level = request.Mapper->GetAutoAdjustLevelOfDetail() && !renderer->GetSelector()
     ? this->LevelOfDetail.Choose(
         volume->GetAllocatedRenderTime(), this->Mesh.GetNumberOfTetrahedra())
     : 0;
@@ -354,7 +330,7 @@ std::string TetrahedraRenderer::UpdateFrame(
   this->Frame.Fields = &this->Fields;
   this->Frame.Pieces = &this->Pieces;
   this->Frame.Blend = GetBlend(report.BlendMode);
-  this->Frame.IsExact = request.Settings.IntegrationMode == Settings::LINEAR_SEGMENT;
+  this->Frame.IsExact = request.Mapper->GetIntegrationMode() == Mapper::LINEAR_SEGMENT;
   this->Frame.PixelStride = report.PixelStride;
   return {};
 }
@@ -364,26 +340,29 @@ std::string TetrahedraRenderer::ClipMesh(
 {
   const TetrahedraView& view = this->Frame.View;
   std::vector<PlaneClip::Plane> planes{ view.GetNearPlane() };
-  const int number = request.ClippingPlanes ? request.ClippingPlanes->GetNumberOfItems() : 0;
+  vtkPlaneCollection* clipping = request.Mapper->GetClippingPlanes();
+  const int number = clipping ? clipping->GetNumberOfItems() : 0;
   for (int i = 0; i < number; ++i)
   {
-    vtkPlane* plane = request.ClippingPlanes->GetItem(i);
+    vtkPlane* plane = clipping->GetItem(i);
     planes.push_back(view.GetPlane(plane->GetNormal(), plane->GetOrigin()));
     if (!std::isfinite(planes.back().w))
     {
       return "clipping plane " + std::to_string(i) +
-        " has a normal of length 0 or a number that is not finite; set its normal and its origin";
+        " has a normal of length 0 or a number that is not finite; set "
+        "its normal and its origin";
     }
   }
   this->Clip.Append(this->Mesh, this->Fields, planes, view.GetRays().Viewpoint, order);
   this->Frame.Order = this->Clip.IsActive() ? &this->Clip.GetOrder() : order;
+  this->Frame.Planes = this->Clip.GetPlanes();
   return {};
 }
 
 void TetrahedraRenderer::DrawFrame(
   vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, vtkTetrahedraReport& report)
 {
-  if (report.RenderPath == Settings::OPENGL_PATH)
+  if (report.RenderPath == Mapper::OPENGL_PATH)
   {
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
     std::string fault = resources.Rasterizer.FindFault(window, this->Frame);
@@ -393,13 +372,13 @@ void TetrahedraRenderer::DrawFrame(
     }
     if (!fault.empty())
     {
-      report.RenderPath = Settings::SOFTWARE_PATH;
+      report.RenderPath = Mapper::SOFTWARE_PATH;
       report.PathReason = fault;
       report.SilhouetteShader = 0;
       report.ShaderReason.clear();
     }
   }
-  if (report.RenderPath == Settings::SOFTWARE_PATH)
+  if (report.RenderPath == Mapper::SOFTWARE_PATH)
   {
     this->DrawInSoftware(renderer, resources, report);
   }
@@ -469,7 +448,7 @@ std::string TetrahedraRenderer::Render(
   {
     return {};
   }
-  if (request.Settings.AutoAdjustLevelOfDetail && report.RenderPath == Settings::OPENGL_PATH)
+  if (request.Mapper->GetAutoAdjustLevelOfDetail() && report.RenderPath == Mapper::OPENGL_PATH)
   {
     // OpenGL takes commands and draws later; the level is chosen by when it is done.
     glFinish();
@@ -483,23 +462,8 @@ std::string TetrahedraRenderer::Render(
 std::string TetrahedraRenderer::DrawWithOpenGL(
   vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, vtkTetrahedraReport& report)
 {
-  // The same planes append the same parts to the same mesh.
-  const bool isSameCut = resources.Planes == this->Clip.GetPlanes() &&
-    (resources.Planes.empty() || resources.MeshVersion == this->MeshVersion);
-  OpenGLRasterizer::Changes changes;
-  changes.Mesh = !isSameCut || resources.MeshVersion != this->MeshVersion;
-  changes.Values = !isSameCut || resources.ValueVersion != this->ValueVersion;
-  changes.Colors = !isSameCut || resources.ColorVersion != this->ColorVersion;
-  changes.Order = !isSameCut || resources.OrderVersion != this->OrderVersion;
-  changes.Surface = !isSameCut || resources.BoundaryVersion != this->BoundaryVersion;
-  std::string error = resources.Rasterizer.Draw(renderer, this->Frame, changes,
+  std::string error = resources.Rasterizer.Draw(renderer, this->Frame,
     SceneDepth::MayOcclude(renderer, volume) || this->IsCutByFarPlane(), report);
-  resources.MeshVersion = this->MeshVersion;
-  resources.ValueVersion = this->ValueVersion;
-  resources.ColorVersion = this->ColorVersion;
-  resources.OrderVersion = this->OrderVersion;
-  resources.BoundaryVersion = this->BoundaryVersion;
-  resources.Planes = this->Clip.GetPlanes();
   report.TetrahedraDrawn = static_cast<vtkIdType>(
     this->Frame.Order ? this->Frame.Order->size() : this->Mesh.GetNumberOfTetrahedra());
   return error;
@@ -511,10 +475,7 @@ void TetrahedraRenderer::DrawInSoftware(
   this->ReadDepth(renderer);
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   report.Features = this->GetFeatures();
-  const DrawnState state = { this->Frame.View, this->Clip.GetPlanes(), this->MeshVersion,
-    this->ColorVersion, this->OrderVersion, this->SurfaceVersion, this->Frame.Blend,
-    this->Frame.IsExact, false, this->Frame.PixelStride, this->Frame.TetrahedronStride,
-    this->Depth.GetDepths(), {} };
+  const DrawnState state = { this->Frame, false, this->Depth.GetDepths(), {} };
   // A still view of a still scene keeps its picture.
   if (!(resources.Drawn == state))
   {
@@ -575,7 +536,7 @@ std::string TetrahedraRenderer::RenderPieces(vtkRenderer* renderer, vtkVolume* v
   const PieceExchange& pieces = *request.Pieces;
   WindowResources& resources = this->GetResources(&window);
   report.Processes = pieces.GetNumberOfRanks();
-  report.RenderPath = Settings::SOFTWARE_PATH;
+  report.RenderPath = Mapper::SOFTWARE_PATH;
   report.PathReason = "what several processes draw is put together on the CPU";
   this->ChooseBlend(request, report);
   const std::string error = this->UpdatePiece(renderer, volume, request, report);
@@ -587,19 +548,14 @@ std::string TetrahedraRenderer::RenderPieces(vtkRenderer* renderer, vtkVolume* v
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
   const bool hasDepth = this->Depth.Read(renderer);
   DrawnState state;
-  state.IsPiece = true;
-  state.Blend = GetBlend(report.BlendMode);
-  state.Opaque = this->Depth.GetBuffer();
-  state.Order = FindPieceOrder(renderer, volume, pieces);
   if (isHere)
   {
-    state.View = this->Frame.View;
-    state.Planes = this->Clip.GetPlanes();
-    state.MeshVersion = this->MeshVersion;
-    state.ColorVersion = this->ColorVersion;
-    state.OrderVersion = this->OrderVersion;
-    state.IsExact = this->Frame.IsExact;
+    state.Frame = this->Frame;
   }
+  state.Frame.Blend = GetBlend(report.BlendMode);
+  state.IsPiece = true;
+  state.Opaque = this->Depth.GetBuffer();
+  state.PieceOrder = FindPieceOrder(renderer, volume, pieces);
   std::vector<int> all{ resources.Drawn == state ? 0 : 1, hasDepth ? 1 : 0, size[0], size[1],
     -size[0], -size[1] };
   pieces.Maximize(all);
@@ -620,7 +576,7 @@ std::string TetrahedraRenderer::RenderPieces(vtkRenderer* renderer, vtkVolume* v
     }
     PiecePicture picture(pieces, isHere ? &this->Frame : nullptr, pixels, this->Rasterizer);
     std::vector<float> colors =
-      picture.Draw(state.Blend, request.Settings.LayerPriorities, state.Order);
+      picture.Draw(state.Frame.Blend, request.Mapper->GetLayerPriorities(), state.PieceOrder);
     for (std::size_t p = 0; p < pixels; ++p)
     {
       if (isShown.empty() ? pieces.GetRank() != 0 : !isShown[p])
@@ -674,7 +630,7 @@ void TetrahedraRenderer::DrawSelection(
   resources.Quad.Upload(window, view.GetWidth(), view.GetHeight(),
     TetrahedraSelection::MakeImage(selector, view, cells, this->Rasterizer.GetDepths()), false);
   resources.Quad.Draw(window, "SELECTION");
-  resources.Drawn = DrawnState();
+  resources.Drawn.reset();
 }
 
 void TetrahedraRenderer::UpdateBoundary(
@@ -687,7 +643,7 @@ void TetrahedraRenderer::UpdateBoundary(
     {
       BoundaryFaces::Clear(this->Fields);
       this->Boundary = nullptr;
-      ++this->SurfaceVersion;
+      ++this->Frame.Versions.Surface;
     }
     return;
   }
@@ -701,18 +657,18 @@ void TetrahedraRenderer::UpdateBoundary(
     this->BoundaryTime = request.Boundary->GetMTime();
     this->BoundaryCounts =
       BoundaryFaces::Build(request.Boundary, request.Grid, this->Mesh, this->Fields);
-    ++this->SurfaceVersion;
-    ++this->BoundaryVersion;
+    ++this->Frame.Versions.Surface;
+    ++this->Frame.Versions.Boundary;
   }
   report.BoundaryTriangles = this->BoundaryCounts.Triangles;
   report.UnmatchedTriangles = this->BoundaryCounts.Unmatched;
   if (this->BoundaryCounts.Triangles > 0)
   {
     const BoundaryShading before = this->Shading;
-    this->Shading.Set(renderer, this->Frame.View, request.Settings.BoundaryProperty,
-      request.Settings.BoundaryTexture);
-    this->SurfaceVersion += before == this->Shading ? 0 : 1;
-    this->BoundaryVersion += before.HasSameImage(this->Shading) ? 0 : 1;
+    this->Shading.Set(renderer, this->Frame.View, request.Mapper->GetBoundaryProperty(),
+      request.Mapper->GetBoundaryTexture());
+    this->Frame.Versions.Surface += before == this->Shading ? 0 : 1;
+    this->Frame.Versions.Boundary += before.HasSameImage(this->Shading) ? 0 : 1;
     this->Frame.Surface = &this->Shading;
   }
 }
@@ -731,26 +687,7 @@ void TetrahedraRenderer::PlaceDepth()
 
 bool TetrahedraRenderer::IsCutByFarPlane() const
 {
-  const glm::dvec4& far = this->Frame.View.GetFarPlane();
-  // Mesh coordinates are between -1 and 1; the limit is a little more for rounding.
-  if (far.w >= (1.0 + 1e-9) * (std::abs(far.x) + std::abs(far.y) + std::abs(far.z)))
-  {
-    return false;
-  }
-  std::atomic<bool> isBeyond{ false };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Mesh.Points.size() / 3),
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType p = first; p < last && !isBeyond; ++p)
-      {
-        const double* point = this->Mesh.GetPoint(static_cast<std::uint32_t>(p));
-        if (glm::dot(far, glm::dvec4(glm::make_vec3(point), 1.0)) < 0.0)
-        {
-          isBeyond = true;
-        }
-      }
-    });
-  return isBeyond;
+  return this->Mesh.HasPointBehind(this->Frame.View.GetFarPlane(), 0.0);
 }
 
 vtkIdType TetrahedraRenderer::GetMemoryBytes() const
@@ -802,4 +739,4 @@ void TetrahedraRenderer::ReleaseGraphicsResources(vtkWindow* window)
   }
 }
 
-}
+} // namespace interlume

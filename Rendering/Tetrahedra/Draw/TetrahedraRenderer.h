@@ -14,7 +14,6 @@
 #include "View/TetrahedraDepth.h"
 
 #include "vtkTetrahedraReport.h"
-#include "vtkTetrahedraSettings.h"
 #include "vtkType.h"
 
 #include <array>
@@ -26,8 +25,8 @@
 class vtkDataSet;
 class vtkHardwareSelector;
 class vtkOpenGLRenderWindow;
-class vtkPlaneCollection;
 class vtkRenderer;
+class vtkTimeWeightedTetrahedraMapper;
 class vtkUnstructuredGrid;
 class vtkVolume;
 class vtkVolumeProperty;
@@ -49,21 +48,13 @@ public:
   TetrahedraRenderer();
   ~TetrahedraRenderer();
 
-  /// What is asked for: the settings of the mapper, its blend mode, and what it has found.
+  /// The mapper, whose settings are read, and what it has found.
   struct Request
   {
-    explicit Request(const vtkTetrahedraSettings& settings)
-      : Settings(settings)
-    {
-    }
-
-    const vtkTetrahedraSettings& Settings;
-    int Blend = 0;
+    vtkTimeWeightedTetrahedraMapper* Mapper = nullptr;
     vtkUnstructuredGrid* Grid = nullptr;
     TetrahedraArrays Arrays;
     vtkDataSet* Boundary = nullptr;
-    /// The clipping planes, in the world; may be null.
-    vtkPlaneCollection* ClippingPlanes = nullptr;
     /// The pieces of other processes that this one is drawn with; null where it is drawn alone.
     /// With them Grid may be null.
     const PieceExchange* Pieces = nullptr;
@@ -147,15 +138,6 @@ private:
   /// Whether all is of one colour, so that order does not matter.
   bool HasOneColor = false;
 
-  /// The versions count what is made anew, so that each window can tell what it has to upload.
-  int MeshVersion = 0;
-  int ValueVersion = 0;
-  int ColorVersion = 0;
-  int OrderVersion = 0;
-  int SurfaceVersion = 0;
-  /// The version of the boundary without its light, which is no upload.
-  int BoundaryVersion = 0;
-
   /// The data that the boundary was made of.
   vtkDataSet* Boundary = nullptr;
   vtkMTimeType BoundaryTime = 0;
@@ -177,6 +159,6 @@ private:
   std::map<vtkWindow*, std::unique_ptr<WindowResources>> Windows;
 };
 
-}
+} // namespace interlume
 
 #endif

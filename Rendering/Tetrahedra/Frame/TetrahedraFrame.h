@@ -31,10 +31,34 @@ struct TetrahedraFrame
     SELECTION
   };
 
+  /// The number of changes of each part, from which a window knows what it has to upload or to draw
+  /// again.
+  struct Changes
+  {
+    int Mesh = 0;
+    int Values = 0;
+    int Colors = 0;
+    int Order = 0;
+    int Surface = 0;
+    /// The surface without its lights, which are no upload.
+    int Boundary = 0;
+
+    bool operator==(const Changes& other) const
+    {
+      return this->Mesh == other.Mesh && this->Values == other.Values &&
+        this->Colors == other.Colors && this->Order == other.Order &&
+        this->Surface == other.Surface && this->Boundary == other.Boundary;
+    }
+  };
+
+  Changes Versions;
   const TetrahedraMesh* Mesh = nullptr;
   const TetrahedraFields* Fields = nullptr;
   const PiecewiseLinearTransfer* Pieces = nullptr;
   TetrahedraView View;
+  /// The planes that cut off points of the mesh, in its coordinates. Equal planes append the same
+  /// parts to the same mesh.
+  std::vector<glm::dvec4> Planes;
   /// The order: front to back, or by layers from the highest priority down; null for tetrahedra as
   /// they are.
   const std::vector<std::uint32_t>* Order = nullptr;
@@ -57,6 +81,15 @@ struct TetrahedraFrame
   /// The number of tetrahedra of which one is drawn, and stands for them.
   std::uint32_t TetrahedronStride = 1;
 
+  /// Returns whether the same depth of opaque surfaces gives the same image.
+  bool HasSameImage(const TetrahedraFrame& other) const
+  {
+    return this->Versions == other.Versions && this->View == other.View &&
+      this->Planes == other.Planes && this->Blend == other.Blend &&
+      this->IsExact == other.IsExact && this->PixelStride == other.PixelStride &&
+      this->TetrahedronStride == other.TetrahedronStride;
+  }
+
   /// Returns whether a tetrahedron is among those drawn.
   bool IsDrawn(std::uint32_t tetrahedron) const
   {
@@ -66,6 +99,6 @@ struct TetrahedraFrame
   }
 };
 
-}
+} // namespace interlume
 
 #endif

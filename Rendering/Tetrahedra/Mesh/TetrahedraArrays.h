@@ -19,6 +19,12 @@ struct TetrahedraArrays
   vtkDataArray* DeltaT = nullptr;
   vtkDataArray* Layers = nullptr;
 
+  bool operator==(const TetrahedraArrays& other) const
+  {
+    return this->Scalars == other.Scalars && this->ScalarsAreOfCells == other.ScalarsAreOfCells &&
+      this->DeltaT == other.DeltaT && this->Layers == other.Layers;
+  }
+
   static bool IsFinite(vtkDataArray* array, vtkIdType id)
   {
     for (int c = 0; c < array->GetNumberOfComponents(); ++c)

@@ -3,6 +3,7 @@
 
 #include "Frame/BoundaryShading.h"
 #include "Loader/OpenGLFunctions.h"
+#include "Loader/ScopedState.h"
 #include "Offscreen/FloatTexture.h"
 #include "Offscreen/SceneDepth.h"
 #include "Offscreen/ShaderFeatures.h"
@@ -81,7 +82,7 @@ bool IsDepthSum(const TetrahedraFrame& frame)
 {
   return frame.Blend == TetrahedraFrame::OPTICAL_DEPTH || frame.Blend == TetrahedraFrame::PRIORITY;
 }
-}
+} // namespace
 
 OpenGLRasterizer::OpenGLRasterizer() = default;
 
@@ -134,53 +135,77 @@ std::string OpenGLRasterizer::GetFeatures(const TetrahedraFrame& frame, bool has
   return features;
 }
 
-void OpenGLRasterizer::Upload(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
-  const Changes& changes, vtkTetrahedraReport& report)
-{
-  const TetrahedraMesh& mesh = *frame.Mesh;
-  const TetrahedraFields& fields = *frame.Fields;
-  vtkIdType bytes = 0;
-  const auto upload = [&](TextureBuffer& buffer, TextureBuffer::Formats format, const auto& values)
-  { bytes += buffer.Upload(window, format, values.data(), values.size() * sizeof(values[0])); };
-  const bool isNew = !this->Points.IsAllocated();
-  if (changes.Mesh || isNew)
-  {
-    upload(this->Points, TextureBuffer::FLOAT4, MakePoints(mesh));
-    upload(this->Corners, TextureBuffer::UINT4, mesh.Corners);
-    upload(this->Volumes, TextureBuffer::FLOAT, MakeVolumes(mesh));
-  }
-  if (changes.Values || isNew)
-  {
-    if (!fields.DeltaT.empty())
-    {
-      upload(this->DeltaTs, TextureBuffer::FLOAT, fields.DeltaT);
-    }
-    if (fields.Kind == TetrahedraFields::SCALARS)
-    {
-      upload(this->Scalars, TextureBuffer::FLOAT, fields.Scalars);
-    }
-  }
-  if (changes.Colors || isNew)
-  {
-    if (fields.Kind != TetrahedraFields::SCALARS)
-    {
-      upload(this->Colors, TextureBuffer::FLOAT4, fields.Colors);
-    }
-    else
-    {
-      upload(this->Pieces, TextureBuffer::FLOAT4, frame.Pieces->GetPieces());
-      upload(this->Starts, TextureBuffer::FLOAT, frame.Pieces->GetStarts());
-      upload(this->Buckets, TextureBuffer::INT, frame.Pieces->GetBuckets());
-    }
-  }
-  report.UploadedStaticBytes = bytes;
-}
-
-void OpenGLRasterizer::UploadSurface(
+void OpenGLRasterizer::Upload(
   vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame, vtkTetrahedraReport& report)
 {
+  using Changes = TetrahedraFrame::Changes;
+  const TetrahedraMesh& mesh = *frame.Mesh;
   const TetrahedraFields& fields = *frame.Fields;
-  const std::vector<std::int32_t> faces(fields.Faces.begin(), fields.Faces.end());
+  const bool isSameCut = this->Planes == frame.Planes &&
+    (frame.Planes.empty() || this->Uploaded.Mesh == frame.Versions.Mesh);
+  const auto isNew = [&](int Changes::*part)
+  { return !isSameCut || this->Uploaded.*part != frame.Versions.*part; };
+  vtkIdType& bytes = report.UploadedStaticBytes;
+  if (isNew(&Changes::Mesh))
+  {
+    bytes += this->Upload(window, "points", TextureBuffer::FLOAT4, MakePoints(mesh));
+    bytes += this->Upload(window, "corners", TextureBuffer::UINT4, mesh.Corners);
+    bytes += this->Upload(window, "volumes", TextureBuffer::FLOAT, MakeVolumes(mesh));
+  }
+  if (isNew(&Changes::Values) && !fields.DeltaT.empty())
+  {
+    bytes += this->Upload(window, "deltaTs", TextureBuffer::FLOAT, fields.DeltaT);
+  }
+  if (isNew(&Changes::Values) && fields.Kind == TetrahedraFields::SCALARS)
+  {
+    bytes += this->Upload(window, "scalars", TextureBuffer::FLOAT, fields.Scalars);
+  }
+  if (isNew(&Changes::Colors) && fields.Kind != TetrahedraFields::SCALARS)
+  {
+    bytes += this->Upload(window, "colors", TextureBuffer::FLOAT4, fields.Colors);
+  }
+  else if (isNew(&Changes::Colors))
+  {
+    bytes += this->Upload(window, "pieces", TextureBuffer::FLOAT4, frame.Pieces->GetPieces());
+    bytes += this->Upload(window, "starts", TextureBuffer::FLOAT, frame.Pieces->GetStarts());
+    bytes += this->Upload(window, "buckets", TextureBuffer::INT, frame.Pieces->GetBuckets());
+  }
+  if (frame.Surface &&
+    (isNew(&Changes::Boundary) || isNew(&Changes::Mesh) || !this->Buffers["faces"].IsAllocated()))
+  {
+    bytes += this->UploadSurface(window, frame);
+  }
+  TextureBuffer& order = this->Buffers["order"];
+  if (!frame.Order)
+  {
+    order.Release(window);
+  }
+  else if (isNew(&Changes::Order) || !order.IsAllocated())
+  {
+    // The order is from back to front, as blending goes; layers too are drawn from the lowest
+    // priority up.
+    report.UploadedOrderBytes = this->Upload(window, "order", TextureBuffer::UINT,
+      std::vector<std::uint32_t>(frame.Order->rbegin(), frame.Order->rend()));
+  }
+  if (frame.IsPulled && !this->Strips)
+  {
+    bytes += this->UploadStrips();
+  }
+  this->Uploaded = frame.Versions;
+  this->Planes = frame.Planes;
+}
+
+template <typename Value>
+vtkIdType OpenGLRasterizer::Upload(vtkOpenGLRenderWindow* window, const char* name,
+  TextureBuffer::Formats format, const std::vector<Value>& values)
+{
+  return this->Buffers[name].Upload(window, format, values.data(), values.size() * sizeof(Value));
+}
+
+vtkIdType OpenGLRasterizer::UploadSurface(
+  vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame)
+{
+  const TetrahedraFields& fields = *frame.Fields;
   std::vector<float> points;
   points.reserve(8 * fields.Normals.size());
   for (std::size_t p = 0; p < fields.Normals.size(); ++p)
@@ -192,14 +217,14 @@ void OpenGLRasterizer::UploadSurface(
       { has ? fields.TextureCoordinates[p][0] : 0.0f, has ? fields.TextureCoordinates[p][1] : 0.0f,
         0.0f, 0.0f });
   }
-  report.UploadedStaticBytes += this->Faces.Upload(
-    window, TextureBuffer::INT, faces.data(), faces.size() * sizeof(std::int32_t));
-  report.UploadedStaticBytes += this->SurfacePoints.Upload(
-    window, TextureBuffer::FLOAT4, points.data(), points.size() * sizeof(float));
+  vtkIdType bytes = this->Upload(window, "faces", TextureBuffer::INT,
+    std::vector<std::int32_t>(fields.Faces.begin(), fields.Faces.end()));
+  bytes += this->Upload(window, "surfacePoints", TextureBuffer::FLOAT4, points);
   const BoundaryShading& shading = *frame.Surface;
   if (!shading.GetImage().empty())
   {
     vtkTextureObject* texture = this->SurfaceTexture;
+    texture->SetContext(window);
     const int wrap =
       shading.IsRepeated() ? vtkTextureObject::Repeat : vtkTextureObject::ClampToEdge;
     texture->SetMinificationFilter(vtkTextureObject::Linear);
@@ -209,9 +234,9 @@ void OpenGLRasterizer::UploadSurface(
     texture->Create2DFromRaw(static_cast<unsigned int>(shading.GetImageWidth()),
       static_cast<unsigned int>(shading.GetImageHeight()), 4, VTK_FLOAT,
       const_cast<float*>(shading.GetImage()[0].data()));
-    report.UploadedStaticBytes +=
-      static_cast<vtkIdType>(shading.GetImage().size() * sizeof(BoundaryShading::Color));
+    bytes += static_cast<vtkIdType>(shading.GetImage().size() * sizeof(BoundaryShading::Color));
   }
+  return bytes;
 }
 
 void OpenGLRasterizer::SetSurfaceUniforms(vtkShaderProgram* program, const TetrahedraFrame& frame)
@@ -240,17 +265,7 @@ void OpenGLRasterizer::SetSurfaceUniforms(vtkShaderProgram* program, const Tetra
   }
 }
 
-void OpenGLRasterizer::UploadOrder(
-  vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame, vtkTetrahedraReport& report)
-{
-  // The order is from back to front, as blending goes; layers too are drawn from the lowest
-  // priority up.
-  const std::vector<std::uint32_t> order(frame.Order->rbegin(), frame.Order->rend());
-  report.UploadedOrderBytes = this->Order.Upload(
-    window, TextureBuffer::UINT, order.data(), order.size() * sizeof(std::uint32_t));
-}
-
-void OpenGLRasterizer::UploadStrips(vtkTetrahedraReport& report)
+vtkIdType OpenGLRasterizer::UploadStrips()
 {
   std::vector<std::uint16_t> indices;
   indices.reserve(STRIPS * STRIP.size());
@@ -267,7 +282,7 @@ void OpenGLRasterizer::UploadStrips(vtkTetrahedraReport& report)
   glBufferData(
     GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), indices.data(), GL_STATIC_DRAW);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
-  report.UploadedStaticBytes += static_cast<vtkIdType>(bytes);
+  return static_cast<vtkIdType>(bytes);
 }
 
 bool OpenGLRasterizer::PrepareTarget(
@@ -383,14 +398,10 @@ void OpenGLRasterizer::Resolve(vtkOpenGLRenderWindow* window, const TetrahedraFr
       ShaderFeatures::Insert(InterlumeResolveFS, "LARGEST_SCALAR"),
       [&](vtkShaderProgram* program)
       {
-        this->Pieces.Activate(program, "pieces");
-        this->Starts.Activate(program, "starts");
-        this->Buckets.Activate(program, "buckets");
+        this->ActivateBuffers(program);
         program->SetUniformf("opacityOfExtinction", static_cast<float>(1.0 / frame.ExtinctionUnit));
       });
-    this->Pieces.Deactivate();
-    this->Starts.Deactivate();
-    this->Buckets.Deactivate();
+    this->DeactivateBuffers();
     return;
   }
   if (!isResolved && IsDepthSum(frame))
@@ -453,46 +464,14 @@ bool OpenGLRasterizer::DrawLayer(vtkOpenGLRenderWindow* window, const Tetrahedra
   {
     return false;
   }
-  std::vector<TextureBuffer*> active;
-  const auto activate = [&](TextureBuffer& buffer, const char* name)
-  {
-    buffer.Activate(program, name);
-    active.push_back(&buffer);
-  };
-  activate(this->Points, "points");
-  activate(this->Corners, "corners");
-  activate(this->Volumes, "volumes");
-  if (frame.Order)
-  {
-    activate(this->Order, "order");
-  }
-  if (!frame.Fields->DeltaT.empty())
-  {
-    activate(this->DeltaTs, "deltaTs");
-  }
-  if (frame.Fields->Kind == TetrahedraFields::SCALARS)
-  {
-    activate(this->Scalars, "scalars");
-  }
-  else
-  {
-    activate(this->Colors, "colors");
-  }
-  if (frame.Fields->Kind == TetrahedraFields::SCALARS && frame.Blend != TetrahedraFrame::MAXIMUM)
-  {
-    activate(this->Pieces, "pieces");
-    activate(this->Starts, "starts");
-    activate(this->Buckets, "buckets");
-  }
+  this->ActivateBuffers(program);
   const bool hasTexture = frame.Surface && !frame.Surface->GetImage().empty();
+  if (hasTexture)
+  {
+    this->SurfaceTexture->Activate();
+  }
   if (frame.Surface)
   {
-    activate(this->Faces, "faces");
-    activate(this->SurfacePoints, "surfacePoints");
-    if (hasTexture)
-    {
-      this->SurfaceTexture->Activate();
-    }
     this->SetSurfaceUniforms(program, frame);
   }
   if (hasOpaque)
@@ -509,36 +488,35 @@ bool OpenGLRasterizer::DrawLayer(vtkOpenGLRenderWindow* window, const Tetrahedra
   {
     this->SurfaceTexture->Deactivate();
   }
-  for (TextureBuffer* buffer : active)
-  {
-    buffer->Deactivate();
-  }
+  this->DeactivateBuffers();
   return true;
 }
 
-std::string OpenGLRasterizer::Draw(vtkRenderer* renderer, const TetrahedraFrame& frame,
-  const Changes& changes, bool hasOpaque, vtkTetrahedraReport& report)
+void OpenGLRasterizer::ActivateBuffers(vtkShaderProgram* program)
+{
+  for (auto& [name, buffer] : this->Buffers)
+  {
+    if (buffer.IsAllocated() && program->IsUniformUsed(name.c_str()))
+    {
+      buffer.Activate(program, name.c_str());
+    }
+  }
+}
+
+void OpenGLRasterizer::DeactivateBuffers()
+{
+  for (auto& [name, buffer] : this->Buffers)
+  {
+    buffer.Deactivate();
+  }
+}
+
+std::string OpenGLRasterizer::Draw(
+  vtkRenderer* renderer, const TetrahedraFrame& frame, bool hasOpaque, vtkTetrahedraReport& report)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
-  this->Upload(window, frame, changes, report);
-  if (frame.Surface && (changes.Surface || changes.Mesh || !this->Faces.IsAllocated()))
-  {
-    this->SurfaceTexture->SetContext(window);
-    this->UploadSurface(window, frame, report);
-  }
-  if (!frame.Order)
-  {
-    this->Order.Release(window);
-  }
-  else if (changes.Order || !this->Order.IsAllocated())
-  {
-    this->UploadOrder(window, frame, report);
-  }
-  if (frame.IsPulled && !this->Strips)
-  {
-    this->UploadStrips(report);
-  }
+  this->Upload(window, frame, report);
   if (hasOpaque)
   {
     this->Depth->SetContext(window);
@@ -549,14 +527,7 @@ std::string OpenGLRasterizer::Draw(vtkRenderer* renderer, const TetrahedraFrame&
   // The scene's framebuffer and state come back at the end of this block.
   state->PushFramebufferBindings();
   {
-    vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-    vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-    vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
-    vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
-    vtkOpenGLState::ScopedglDepthMask depthMask(state);
-    vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
-    vtkOpenGLState::ScopedglViewport viewport(state);
-    vtkOpenGLState::ScopedglClearColor clearColor(state);
+    const ScopedState scoped(state);
     const int width = frame.View.GetWidth();
     const int height = frame.View.GetHeight();
     const bool hasLayers = frame.Blend == TetrahedraFrame::PRIORITY;
@@ -591,27 +562,21 @@ void OpenGLRasterizer::ReportBuffers(
   const vtkIdType pixels = static_cast<vtkIdType>(frame.View.GetWidth()) * frame.View.GetHeight();
   report.Buffers = static_cast<int>(sums) + (hasOpaque ? 1 : 0);
   report.BufferBytes = 16 * pixels * sums + (hasOpaque ? 4 * pixels : 0);
-  for (const TextureBuffer* buffer : this->GetBuffers())
+  for (const auto& [name, buffer] : this->Buffers)
   {
-    report.BufferBytes += static_cast<vtkIdType>(buffer->GetBytes());
+    report.BufferBytes += static_cast<vtkIdType>(buffer.GetBytes());
   }
   report.BufferBytes +=
     this->Strips ? static_cast<vtkIdType>(STRIPS * STRIP.size() * sizeof(std::uint16_t)) : 0;
 }
 
-std::array<TextureBuffer*, 12> OpenGLRasterizer::GetBuffers()
-{
-  return { &this->Points, &this->Corners, &this->Volumes, &this->Scalars, &this->DeltaTs,
-    &this->Colors, &this->Faces, &this->SurfacePoints, &this->Pieces, &this->Starts, &this->Buckets,
-    &this->Order };
-}
-
 void OpenGLRasterizer::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (TextureBuffer* buffer : this->GetBuffers())
+  for (auto& [name, buffer] : this->Buffers)
   {
-    buffer->Release(window);
+    buffer.Release(window);
   }
+  this->Uploaded = NONE;
   if (this->Strips)
   {
     glDeleteBuffers(1, &this->Strips);
@@ -627,4 +592,4 @@ void OpenGLRasterizer::ReleaseGraphicsResources(vtkWindow* window)
   this->ResolveQuad.ReleaseGraphicsResources(window);
 }
 
-}
+} // namespace interlume

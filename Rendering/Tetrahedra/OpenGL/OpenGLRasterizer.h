@@ -9,8 +9,7 @@
 #include "vtkNew.h"
 #include "vtkTetrahedraReport.h"
 
-#include <array>
-#include <memory>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -45,34 +44,32 @@ public:
    */
   std::string FindFault(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame) const;
 
-  /// The parts that are new since the last picture.
-  struct Changes
-  {
-    bool Mesh = true;
-    bool Values = true;
-    bool Colors = true;
-    bool Order = true;
-    bool Surface = true;
-  };
-
   /**
    * Draws a picture. \a hasOpaque tells whether the scene has opaque surfaces. Returns what is
    * wrong, or nothing.
    */
-  std::string Draw(vtkRenderer* renderer, const TetrahedraFrame& frame, const Changes& changes,
-    bool hasOpaque, vtkTetrahedraReport& report);
+  std::string Draw(vtkRenderer* renderer, const TetrahedraFrame& frame, bool hasOpaque,
+    vtkTetrahedraReport& report);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   std::string GetFeatures(const TetrahedraFrame& frame, bool hasOpaque) const;
-  void Upload(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame, const Changes& changes,
-    vtkTetrahedraReport& report);
-  void UploadSurface(
+  /// Uploads what has changed.
+  void Upload(
     vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame, vtkTetrahedraReport& report);
-  void UploadOrder(
-    vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame, vtkTetrahedraReport& report);
-  void UploadStrips(vtkTetrahedraReport& report);
+  ///@{
+  /// Upload an array, the arrays and the image of boundary triangles, and indices. Return the
+  /// bytes.
+  template <typename Value>
+  vtkIdType Upload(vtkOpenGLRenderWindow* window, const char* name, TextureBuffer::Formats format,
+    const std::vector<Value>& values);
+  vtkIdType UploadSurface(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame);
+  vtkIdType UploadStrips();
+  ///@}
+  /// Binds the arrays that a program uses.
+  void ActivateBuffers(vtkShaderProgram* program);
+  void DeactivateBuffers();
   bool PrepareTarget(vtkOpenGLRenderWindow* window, int width, int height, bool hasLayers);
   void SetUniforms(vtkShaderProgram* program, const TetrahedraFrame& frame, bool hasOpaque);
   void SetSurfaceUniforms(vtkShaderProgram* program, const TetrahedraFrame& frame);
@@ -89,33 +86,26 @@ private:
   void Resolve(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
     vtkTextureObject* texture, bool isResolved);
   void ReportBuffers(const TetrahedraFrame& frame, bool hasOpaque, vtkTetrahedraReport& report);
-  std::array<TextureBuffer*, 12> GetBuffers();
 
-  TextureBuffer Points;
-  TextureBuffer Corners;
-  TextureBuffer Volumes;
-  TextureBuffer Scalars;
-  TextureBuffer DeltaTs;
-  TextureBuffer Colors;
-  TextureBuffer Faces;
-  TextureBuffer SurfacePoints;
+  static constexpr TetrahedraFrame::Changes NONE{ -1, -1, -1, -1, -1, -1 };
+  /// The versions of what was uploaded, and the planes that cut it.
+  TetrahedraFrame::Changes Uploaded = NONE;
+  std::vector<glm::dvec4> Planes;
+  /// The arrays that shaders read, by their names there.
+  std::map<std::string, TextureBuffer> Buffers;
   vtkNew<vtkTextureObject> SurfaceTexture;
-  TextureBuffer Pieces;
-  TextureBuffer Starts;
-  TextureBuffer Buckets;
   vtkNew<vtkTextureObject> Sums;
   /// The layers drawn so far (PRIORITY).
   vtkNew<vtkTextureObject> Layers;
   vtkNew<vtkTextureObject> Depth;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkOpenGLVertexArrayObject> Vertices;
-  TextureBuffer Order;
   /// The indices of two triangles for each of STRIPS tetrahedra, where their vertices are pulled.
   unsigned int Strips = 0;
   ImageQuad Quad;
   ImageQuad ResolveQuad;
 };
 
-}
+} // namespace interlume
 
 #endif

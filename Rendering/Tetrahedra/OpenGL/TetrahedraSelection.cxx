@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OpenGL/TetrahedraSelection.h"
 
+#include "Offscreen/PropSelection.h"
+
 #include "vtkHardwareSelector.h"
 
 #include <algorithm>
@@ -18,30 +20,23 @@ bool TetrahedraSelection::IsDrawn(vtkHardwareSelector* selector)
 std::vector<float> TetrahedraSelection::MakeImage(vtkHardwareSelector* selector,
   const TetrahedraView& view, const std::vector<vtkIdType>& cells, const std::vector<float>& depths)
 {
+  const int shift = selector->GetCurrentPass() == vtkHardwareSelector::CELL_ID_HIGH24 ? 24 : 0;
+  float color[3];
+  const bool isOfProp = PropSelection::FindColor(selector, color);
+  const auto width = static_cast<std::size_t>(view.GetWidth());
   std::vector<float> image(4 * cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
     float* pixel = &image[4 * i];
-    const vtkIdType cell = std::max<vtkIdType>(cells[i] - 1, 0);
-    switch (selector->GetCurrentPass())
+    if (isOfProp)
     {
-      case vtkHardwareSelector::ACTOR_PASS:
-        std::copy_n(selector->GetPropColorValue(), 3, pixel);
-        break;
-      case vtkHardwareSelector::CELL_ID_LOW24:
-        vtkHardwareSelector::Convert(cell & 0xffffff, pixel);
-        break;
-      case vtkHardwareSelector::CELL_ID_HIGH24:
-        vtkHardwareSelector::Convert((cell >> 24) & 0xffffff, pixel);
-        break;
-      case vtkHardwareSelector::PROCESS_PASS:
-        vtkHardwareSelector::Convert(selector->GetProcessID() + 1, pixel);
-        break;
-      default:
-        // The value stands for the only block.
-        vtkHardwareSelector::Convert(1, pixel);
+      std::copy_n(color, 3, pixel);
     }
-    const auto width = static_cast<std::size_t>(view.GetWidth());
+    else
+    {
+      const vtkIdType cell = std::max<vtkIdType>(cells[i] - 1, 0);
+      vtkHardwareSelector::Convert((cell >> shift) & 0xffffff, pixel);
+    }
     const double depth = view.GetBufferOfDepth(
       static_cast<double>(i % width) + 0.5, static_cast<double>(i / width) + 0.5, depths[i]);
     pixel[3] = cells[i] == 0 ? -1.0f : static_cast<float>(std::max(0.0, std::min(depth, 1.0)));
