@@ -139,23 +139,13 @@ std::string vtkImplicitFlowVolumeMapper::Draw(vtkRenderer* renderer, vtkVolume* 
   {
     return "blend modes other than composite are not supported";
   }
-  interlume::FlowVolumeRenderer::Request request;
-  request.Image = vtkImageData::SafeDownCast(input);
-  if (!request.Image)
+  auto* image = vtkImageData::SafeDownCast(input);
+  if (!image)
   {
     return std::string("the input is a ") + input->GetClassName() +
       "; vtkImageData is needed, as vtkImplicitFlowField gives with SAMPLES_OF_IMAGE";
   }
-  request.Settings = *this;
-  for (double& value : request.Settings.DefaultColor)
-  {
-    value = std::min(std::max(value, 0.0), 1.0);
-  }
-  request.Cuts.Planes = this->ClippingPlanes;
-  request.Cuts.IsCropped = this->Cropping != 0;
-  std::copy_n(this->CroppingRegionPlanes, 6, request.Cuts.CroppingPlanes.begin());
-  request.Cuts.CroppingFlags = this->CroppingRegionFlags;
-  return this->Renderer->Render(renderer, volume, request, this->RenderReport);
+  return this->Renderer->Render(renderer, volume, *this, image, this->RenderReport);
 }
 
 void vtkImplicitFlowVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)

@@ -2,11 +2,14 @@
 #ifndef vtkImplicitFlowVolumeMapper_h
 #define vtkImplicitFlowVolumeMapper_h
 
-#include "InterlumeFlowTextureModule.h"    // for the export macro
-#include "vtkImplicitFlowVolumeReport.h"   // for the report
-#include "vtkImplicitFlowVolumeSettings.h" // for what is set
+#include "InterlumeFlowTextureModule.h"  // for the export macro
+#include "vtkImageData.h"                // for textures
+#include "vtkImplicitFlowVolumeReport.h" // for the report
+#include "vtkPiecewiseFunction.h"        // for the gate
+#include "vtkSmartPointer.h"
 #include "vtkVolumeMapper.h"
 
+#include <map>    // for textures by id
 #include <memory> // for what is kept from picture to picture
 #include <string> // for errors
 
@@ -93,30 +96,28 @@ class FlowVolumeRenderer;
  * or with too many dimensions, no texture units or texture memory left, textures over the graphics
  * card's limits, a blend mode that is not supported; with shadows those of vtkShadowedSliceMapper.
  *
- * @sa vtkShadowedSliceMapper vtkImplicitFlowVolumeReport vtkImplicitFlowVolumeSettings
+ * @sa vtkShadowedSliceMapper vtkImplicitFlowVolumeReport
  */
-class INTERLUMEFLOWTEXTURE_EXPORT vtkImplicitFlowVolumeMapper
-  : public vtkVolumeMapper
-  , private vtkImplicitFlowVolumeSettings
+class INTERLUMEFLOWTEXTURE_EXPORT vtkImplicitFlowVolumeMapper : public vtkVolumeMapper
 {
 public:
   static vtkImplicitFlowVolumeMapper* New();
   vtkTypeMacro(vtkImplicitFlowVolumeMapper, vtkVolumeMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /**
-   * The modes, as vtkImplicitFlowVolumeSettings has them.
-   */
-  using vtkImplicitFlowVolumeSettings::DETAIL_ADD;
-  using vtkImplicitFlowVolumeSettings::DETAIL_MODULATE;
-  using vtkImplicitFlowVolumeSettings::DETAIL_OVER;
-  using vtkImplicitFlowVolumeSettings::DetailModes;
-  using vtkImplicitFlowVolumeSettings::GATE_BOTH;
-  using vtkImplicitFlowVolumeSettings::GATE_DETAIL;
-  using vtkImplicitFlowVolumeSettings::GATE_INFLOW;
-  using vtkImplicitFlowVolumeSettings::TimeGateTargets;
-  ///@}
+  enum DetailModes
+  {
+    DETAIL_MODULATE = 0,
+    DETAIL_OVER = 1,
+    DETAIL_ADD = 2
+  };
+
+  enum TimeGateTargets
+  {
+    GATE_INFLOW = 0,
+    GATE_DETAIL = 1,
+    GATE_BOTH = 2
+  };
 
   /// The id that stands for all surfaces without a texture of their own.
   static constexpr int ALL = -1;
@@ -133,6 +134,11 @@ public:
   void RemoveAllInflowTextures();
   /// Returns what was set for the id itself; null where nothing was.
   vtkImageData* GetInflowTexture(int id) const;
+  /// Returns all images that are set, by id.
+  const std::map<int, vtkSmartPointer<vtkImageData>>& GetInflowTextures() const
+  {
+    return this->InflowTextures;
+  }
   int GetNumberOfInflowTextures() const { return static_cast<int>(this->InflowTextures.size()); }
   ///@}
 
@@ -311,6 +317,25 @@ private:
   std::string Draw(vtkRenderer* renderer, vtkVolume* volume);
   void SetName(std::string& member, const char* name);
 
+  std::map<int, vtkSmartPointer<vtkImageData>> InflowTextures;
+  double DefaultColor[4] = { 0.8, 0.8, 0.8, 0.05 };
+  vtkSmartPointer<vtkImageData> DetailTexture;
+  int DetailMode = DETAIL_MODULATE;
+  double DetailScale[3] = { 1.0, 1.0, 1.0 };
+  vtkSmartPointer<vtkPiecewiseFunction> TimeGate;
+  int TimeGateTarget = GATE_INFLOW;
+  bool TimeGateRepeat = true;
+  double TimePeriod = 1.0;
+  double TimePhase = 0.0;
+  std::string OpacityArray;
+  std::string ShadingArray;
+  bool Shadows = false;
+  int LightBufferSize = 0;
+  bool PaintFilter = true;
+  int MaximumPaintSamples = 8;
+  double SampleDistance = 0.0;
+  double ImageSampleDistance = 1.0;
+  vtkIdType MaximumTextureMemory = 0;
   vtkImplicitFlowVolumeReport RenderReport;
   std::string ErrorText;
   vtkMTimeType ErrorTime = 0;

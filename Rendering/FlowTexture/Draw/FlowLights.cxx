@@ -18,9 +18,6 @@ void FlowLights::Gather(vtkRenderer* renderer, const glm::dvec3& center)
   vtkLightCollection* lights = renderer->GetLights();
   vtkCollectionSimpleIterator iterator;
   lights->InitTraversal(iterator);
-  const auto toFloats = [](const glm::dvec3& v) {
-    return Float3{ { static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z) } };
-  };
   while (vtkLight* light = lights->GetNextLight(iterator))
   {
     if (!light->GetSwitch() || this->GetNumber() == Largest)
@@ -31,21 +28,20 @@ void FlowLights::Gather(vtkRenderer* renderer, const glm::dvec3& center)
     const glm::dvec3 focus = glm::make_vec3(light->GetTransformedFocalPoint());
     const bool isPositional = light->GetPositional() != 0;
     const glm::dvec3 way = position - focus;
-    this->Places.push_back(
-      toFloats(isPositional ? position - center : way / std::max(glm::length(way), 1e-300)));
-    this->Colors.push_back(
-      toFloats(glm::make_vec3(light->GetDiffuseColor()) * light->GetIntensity()));
+    this->Places.emplace_back(
+      isPositional ? position - center : way / std::max(glm::length(way), 1e-300));
+    this->Colors.emplace_back(glm::make_vec3(light->GetDiffuseColor()) * light->GetIntensity());
     this->Positional.push_back(isPositional ? 1.0F : 0.0F);
     ambient += glm::make_vec3(light->GetAmbientColor()) * light->GetIntensity();
   }
-  this->Ambient = toFloats(ambient == glm::dvec3(0.0) ? glm::dvec3(1.0) : ambient);
+  this->Ambient = glm::vec3(ambient == glm::dvec3(0.0) ? glm::dvec3(1.0) : ambient);
 }
 
 void FlowLights::SetUniforms(vtkShaderProgram* program) const
 {
-  program->SetUniform3f("ambientLight", this->Ambient.data());
+  program->SetUniform3f("ambientLight", glm::value_ptr(this->Ambient));
   const int number = this->GetNumber();
-  const auto set = [&](const char* name, const std::vector<Float3>& values)
+  const auto set = [&](const char* name, const std::vector<glm::vec3>& values)
   { program->SetUniform3fv(name, number, reinterpret_cast<const float(*)[3]>(values.data())); };
   if (number > 0)
   {

@@ -2,7 +2,6 @@
 #ifndef interlume_FlowLights_h
 #define interlume_FlowLights_h
 
-#include <array>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -30,13 +29,11 @@ public:
   void SetUniforms(vtkShaderProgram* program) const;
 
 private:
-  using Float3 = std::array<float, 3>;
-
   /// The way to a directional light, length 1, or the position.
-  std::vector<Float3> Places;
-  std::vector<Float3> Colors;
+  std::vector<glm::vec3> Places;
+  std::vector<glm::vec3> Colors;
   std::vector<float> Positional;
-  std::array<float, 3> Ambient{};
+  glm::vec3 Ambient{ 0.0F };
 };
 
 }

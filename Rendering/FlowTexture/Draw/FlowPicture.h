@@ -8,11 +8,11 @@
 #include "Draw/FlowView.h"
 #include "Grid/FlowGrid.h"
 
-#include "vtkImplicitFlowVolumeSettings.h"
-
 #include <array>
 
 class vtkDataArray;
+class vtkImageData;
+class vtkImplicitFlowVolumeMapper;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
 class vtkVolume;
@@ -41,18 +41,12 @@ struct FlowScene
  */
 struct FlowPicture
 {
-  /// The mapper's input, its settings and those of its superclasses.
-  struct Request
-  {
-    vtkImageData* Image = nullptr;
-    vtkImplicitFlowVolumeSettings Settings;
-    FlowView::Cuts Cuts;
-  };
-
   vtkRenderer* Renderer;
   vtkOpenGLRenderWindow* Window;
   vtkVolume* Volume;
-  const Request& Asked;
+  /// The mapper, whose settings are read, and its input.
+  vtkImplicitFlowVolumeMapper& Mapper;
+  vtkImageData* Image;
   vtkImplicitFlowVolumeReport& Report;
 
   std::array<int, 2> Size{};

@@ -13,7 +13,7 @@
 #include "InterlumeFlowShade.h"
 #include "InterlumeFlowVolumeFS.h"
 #include "InterlumeFlowWalk.h"
-#include "vtkImplicitFlowVolumeSettings.h"
+#include "vtkImplicitFlowVolumeMapper.h"
 
 #include <algorithm>
 #include <cctype>
@@ -56,7 +56,7 @@ void FlowShader::Add(const std::string& feature, const std::string& value)
   this->Features += feature + (value.empty() ? "" : "=" + value) + " ";
 }
 
-FlowShader::FlowShader(const vtkImplicitFlowVolumeSettings& settings, const Parts& parts,
+FlowShader::FlowShader(vtkImplicitFlowVolumeMapper& mapper, const Parts& parts,
   const FlowPaints& paints, const FlowView& view)
 {
   const auto number = [](std::size_t value) { return std::to_string(value); };
@@ -68,7 +68,7 @@ FlowShader::FlowShader(const vtkImplicitFlowVolumeSettings& settings, const Part
     }
   };
   const bool hasDetail = parts.DetailDimensions > 0;
-  const bool hasGate = settings.TimeGate != nullptr;
+  const bool hasGate = mapper.GetTimeGate() != nullptr;
   this->HasTimes = hasGate || parts.DetailDimensions == 3;
   // Slices have these themselves.
   const bool isAlone = !parts.IsMatter;
@@ -81,17 +81,17 @@ FlowShader::FlowShader(const vtkImplicitFlowVolumeSettings& settings, const Part
   add(parts.HasSeamCells, "SEAMS");
   add(!paints.IsOne, "SURFACES");
   add(this->HasTimes, "TIMES");
-  add(settings.PaintFilter, "PAINT_FILTER");
+  add(mapper.GetPaintFilter(), "PAINT_FILTER");
   add(hasDetail, "DETAIL", std::to_string(parts.DetailDimensions));
   const char* modes[] = { "DETAIL_MODULATE", "DETAIL_OVER", "DETAIL_ADD" };
-  add(hasDetail, modes[settings.DetailMode]);
+  add(hasDetail, modes[mapper.GetDetailMode()]);
   add(hasGate, "GATE", number(Columns));
-  add(hasGate && settings.TimeGateRepeat, "GATE_REPEATS");
-  const bool isBoth = settings.TimeGateTarget == vtkImplicitFlowVolumeSettings::GATE_BOTH;
-  add(hasGate && (isBoth || settings.TimeGateTarget == vtkImplicitFlowVolumeSettings::GATE_INFLOW),
+  add(hasGate && mapper.GetTimeGateRepeat(), "GATE_REPEATS");
+  const bool isBoth = mapper.GetTimeGateTarget() == vtkImplicitFlowVolumeMapper::GATE_BOTH;
+  add(hasGate && (isBoth || mapper.GetTimeGateTarget() == vtkImplicitFlowVolumeMapper::GATE_INFLOW),
     "GATE_INFLOW");
   add(hasGate && hasDetail &&
-      (isBoth || settings.TimeGateTarget == vtkImplicitFlowVolumeSettings::GATE_DETAIL),
+      (isBoth || mapper.GetTimeGateTarget() == vtkImplicitFlowVolumeMapper::GATE_DETAIL),
     "GATE_DETAIL");
   add(parts.HasTransfer, "TRANSFER", number(Columns));
   add(isAlone && parts.IsShaded, "SHADE");

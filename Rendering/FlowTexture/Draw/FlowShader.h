@@ -4,7 +4,7 @@
 
 #include <string>
 
-struct vtkImplicitFlowVolumeSettings;
+class vtkImplicitFlowVolumeMapper;
 
 namespace interlume
 {
@@ -44,8 +44,8 @@ public:
   /// The columns of textures of functions.
   static constexpr int Columns = 1024;
 
-  FlowShader(const vtkImplicitFlowVolumeSettings& settings, const Parts& parts,
-    const FlowPaints& paints, const FlowView& view);
+  FlowShader(vtkImplicitFlowVolumeMapper& mapper, const Parts& parts, const FlowPaints& paints,
+    const FlowView& view);
 
   bool NeedsTimes() const { return this->HasTimes; }
   /// The words of the report.

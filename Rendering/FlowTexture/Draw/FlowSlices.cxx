@@ -6,7 +6,7 @@
 #include "Draw/FlowTextures.h"
 #include "Draw/FlowUniforms.h"
 
-#include "vtkImplicitFlowVolumeReport.h"
+#include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkPiecewiseFunction.h"
@@ -54,7 +54,7 @@ bool FlowSlices::IsAsked(vtkRenderer* renderer)
 void FlowSlices::MakeReached()
 {
   const FlowGrid& grid = this->Scene->Grid;
-  this->Reached->CopyStructure(this->Picture->Asked.Image);
+  this->Reached->CopyStructure(this->Picture->Image);
   vtkNew<vtkUnsignedCharArray> reached;
   reached->SetName("Reached");
   reached->SetNumberOfValues(this->Reached->GetNumberOfPoints());
@@ -71,21 +71,20 @@ void FlowSlices::MakeReached()
 
 void FlowSlices::Set()
 {
-  const FlowPicture::Request& asked = this->Picture->Asked;
-  const vtkImplicitFlowVolumeSettings& settings = asked.Settings;
+  vtkImplicitFlowVolumeMapper& settings = this->Picture->Mapper;
   vtkShadowedSliceMapper* mapper = this->Mapper;
-  mapper->SetLightBufferSize(settings.LightBufferSize);
+  mapper->SetLightBufferSize(settings.GetLightBufferSize());
   // Edges of paint are sharper than voxels: slices half as far apart as those of a volume.
-  mapper->SetSliceSpacing(
-    settings.SampleDistance > 0.0 ? settings.SampleDistance : 0.25 * this->Scene->View.Spacing);
-  mapper->SetImageSampleDistance(settings.ImageSampleDistance);
-  const vtkIdType most = settings.MaximumTextureMemory;
+  mapper->SetSliceSpacing(settings.GetSampleDistance() > 0.0 ? settings.GetSampleDistance()
+                                                             : 0.25 * this->Scene->View.Spacing);
+  mapper->SetImageSampleDistance(settings.GetImageSampleDistance());
+  const vtkIdType most = settings.GetMaximumTextureMemory();
   mapper->SetMaximumTextureMemory(
     most > 0 ? std::max<vtkIdType>(most - this->Picture->Report.TextureBytes, 1) : 0);
-  mapper->SetClippingPlanes(asked.Cuts.Planes);
-  mapper->SetCropping(asked.Cuts.IsCropped);
-  mapper->SetCroppingRegionPlanes(asked.Cuts.CroppingPlanes.data());
-  mapper->SetCroppingRegionFlags(asked.Cuts.CroppingFlags);
+  mapper->SetClippingPlanes(settings.GetClippingPlanes());
+  mapper->SetCropping(settings.GetCropping());
+  mapper->SetCroppingRegionPlanes(settings.GetCroppingRegionPlanes());
+  mapper->SetCroppingRegionFlags(settings.GetCroppingRegionFlags());
   vtkVolumeProperty* from = this->Picture->Volume->GetProperty();
   vtkVolumeProperty* to = this->Volume->GetProperty();
   to->SetShade(from->GetShade());
@@ -112,7 +111,7 @@ std::string FlowSlices::Draw(FlowPicture& picture, const FlowScene& scene, FlowT
   const vtkShadowedSliceReport& drawn = this->Mapper->GetReport();
   vtkImplicitFlowVolumeReport& report = picture.Report;
   const std::string own =
-    FlowShader(picture.Asked.Settings, picture.Parts, scene.Paints, scene.View).GetNames();
+    FlowShader(picture.Mapper, picture.Parts, scene.Paints, scene.View).GetNames();
   report.Features = drawn.Features + (own.empty() ? "" : " ") + own;
   report.ImageBufferBytes = drawn.ImageBufferBytes;
   report.ShadowedLights = drawn.ShadowedLights;
@@ -128,7 +127,7 @@ std::string FlowSlices::Draw(FlowPicture& picture, const FlowScene& scene, FlowT
 std::string FlowSlices::GetSource() const
 {
   return FlowShader(
-    this->Picture->Asked.Settings, this->Picture->Parts, this->Scene->Paints, this->Scene->View)
+    this->Picture->Mapper, this->Picture->Parts, this->Scene->Paints, this->Scene->View)
     .GetSource();
 }
 

@@ -8,7 +8,7 @@
 #include "Paint/PaintTexels.h"
 
 #include "vtkDataArray.h"
-#include "vtkImplicitFlowVolumeReport.h"
+#include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolume.h"
@@ -62,122 +62,86 @@ vtkIdType CountNonFinite(vtkDataArray* array)
   }
   return count;
 }
-}
 
-FlowSources::FlowSources(FlowScene& scene, FlowTextures& textures)
-  : Scene(scene)
-  , Textures(textures)
+void KeepGrid(FlowPicture& picture, const FlowScene& scene, FlowTextures& textures)
 {
-}
-
-std::string FlowSources::KeepGrid(FlowPicture& picture)
-{
-  vtkImplicitFlowVolumeReport& report = picture.Report;
-  const FlowTextures::Stamp stamp{ &this->Scene, this->Scene.GridVersion, {} };
+  const FlowGrid& grid = scene.Grid;
   // Software interpolates floats as such; graphics cards round the weights to eight bits.
   const bool isSoftware = picture.Parts.IsSoftware;
   std::vector<float> smooth;
-  const auto keep = [&](const char* name, int components, int type,
-                      const std::function<const void*()>& getValues, bool isOfCells)
+  const auto keep = [&](const std::string& name, const std::array<int, 3>& size, int components,
+                      int type, const std::function<const void*()>& getValues)
   {
-    const std::string wrong = this->Textures.Keep(
-      picture.Window, name, true, stamp,
+    textures.Keep(
+      name, "the texture of voxels `" + name + "`", true, { &scene, scene.GridVersion, {} },
       [&]
       {
         FlowTextures::Source source;
-        source.Size = this->Scene.Grid.Size;
-        for (int& length : source.Size)
-        {
-          length -= isOfCells ? 1 : 0;
-        }
+        source.Size = size;
         source.Components = components;
         source.Type = type;
         source.Values = getValues();
         source.IsSmooth = isSoftware && type == VTK_FLOAT;
         return source;
       },
-      report.GridUploads, report.UploadedBytes);
-    return wrong.empty() ? wrong : "the texture of voxels `" + std::string(name) + "` " + wrong;
+      picture.Report.GridUploads);
   };
-  const FlowGrid& grid = this->Scene.Grid;
-  std::string error = keep(
-    "cells", 2, VTK_UNSIGNED_SHORT, [&] { return grid.Cells.data(); }, true);
-  if (error.empty())
+  keep("cells", { { grid.Size[0] - 1, grid.Size[1] - 1, grid.Size[2] - 1 } }, 2, VTK_UNSIGNED_SHORT,
+    [&] { return grid.Cells.data(); });
+  keep("places", grid.Size, isSoftware ? 4 : 2, VTK_FLOAT,
+    [&]
+    {
+      smooth = isSoftware ? SmoothVoxels::Make(grid) : std::vector<float>();
+      return isSoftware ? smooth.data() : grid.Places.data();
+    });
+  if (picture.Parts.HasSplitCells)
   {
-    error = keep(
-      "places", isSoftware ? 4 : 2, VTK_FLOAT,
-      [&]
-      {
-        smooth = isSoftware ? SmoothVoxels::Make(grid) : std::vector<float>();
-        return isSoftware ? smooth.data() : grid.Places.data();
-      },
-      false);
+    keep("groups", grid.Size, 1, VTK_UNSIGNED_SHORT, [&] { return grid.Groups.data(); });
   }
-  if (error.empty() && picture.Parts.HasSplitCells)
+  if (picture.Mapper.GetTimeGate() || picture.Parts.DetailDimensions == 3)
   {
-    error = keep(
-      "groups", 1, VTK_UNSIGNED_SHORT, [&] { return grid.Groups.data(); }, false);
+    keep("times", grid.Size, 1, VTK_FLOAT, [&] { return grid.Times.data(); });
   }
-  const bool needsTimes =
-    picture.Asked.Settings.TimeGate != nullptr || picture.Parts.DetailDimensions == 3;
-  if (error.empty() && needsTimes)
-  {
-    error = keep(
-      "times", 1, VTK_FLOAT, [&] { return grid.Times.data(); }, false);
-  }
-  return error;
 }
 
-std::string FlowSources::KeepPaints(FlowPicture& picture)
+void KeepPaints(FlowPicture& picture, FlowScene& scene, FlowTextures& textures)
 {
-  const vtkImplicitFlowVolumeSettings& settings = picture.Asked.Settings;
+  vtkImplicitFlowVolumeMapper& mapper = picture.Mapper;
   vtkImplicitFlowVolumeReport& report = picture.Report;
-  FlowTextures& textures = this->Textures;
   PaintTexels texels;
-  const auto makeImage = [&](bool isRepeated)
-  {
-    FlowTextures::Source source;
-    source.Size = texels.Size;
-    source.Components = 4;
-    source.Type = VTK_UNSIGNED_SHORT;
-    source.Values = texels.Texels.data();
-    source.IsSmooth = true;
-    source.IsRepeated = isRepeated;
-    source.HasLevels = settings.PaintFilter;
-    return source;
-  };
-  std::string error;
-  const auto keep =
-    [&](const std::string& name, vtkImageData* image, int dimensions, bool isRepeated, int& count)
+  const auto keep = [&](const std::string& name, const std::string& title, vtkImageData* image,
+                      int dimensions, bool isRepeated, int& count)
   {
     // The levels of detail are a part of the texture: with and without are two states of it.
-    const FlowTextures::Stamp stamp{ image, 2 * image->GetMTime() + (settings.PaintFilter ? 1 : 0),
-      {} };
-    return textures.Keep(
-      picture.Window, name, dimensions == 3, stamp,
+    textures.Keep(
+      name, title, dimensions == 3,
+      { image, 2 * image->GetMTime() + (mapper.GetPaintFilter() ? 1 : 0), {} },
       [&]
       {
-        const std::string fault = texels.Build(image, dimensions);
-        FlowTextures::Source source = makeImage(isRepeated);
-        source.Fault = fault;
+        FlowTextures::Source source;
+        source.Fault = texels.Build(image, dimensions);
+        source.Size = texels.Size;
+        source.Components = 4;
+        source.Type = VTK_UNSIGNED_SHORT;
+        source.Values = texels.Texels.data();
+        source.IsSmooth = true;
+        source.IsRepeated = isRepeated;
+        source.HasLevels = mapper.GetPaintFilter();
         return source;
       },
-      count, report.UploadedBytes);
+      count);
   };
-  for (FlowPaints::Paint& paint : this->Scene.Paints.Paints)
+  for (FlowPaints::Paint& paint : scene.Paints.Paints)
   {
+    keep("paint_" + paint.Name, "the inflow texture of id " + paint.Name, paint.Image, 2, false,
+      report.InflowUploads);
     int size[3];
     paint.Image->GetDimensions(size);
-    error = keep("paint_" + paint.Name, paint.Image, 2, false, report.InflowUploads);
-    if (!error.empty())
-    {
-      return "the inflow texture of id " + paint.Name + " " + error;
-    }
-    int axis = 0;
+    std::size_t axis = 0;
     paint.Size = { { 1, 1 } };
     for (const int length : size)
     {
-      if (length > 1)
+      if (length > 1 && axis < paint.Size.size())
       {
         paint.Size[axis++] = length;
       }
@@ -185,36 +149,28 @@ std::string FlowSources::KeepPaints(FlowPicture& picture)
   }
   if (picture.Parts.DetailDimensions > 0)
   {
-    settings.DetailTexture->GetDimensions(picture.DetailSize.data());
-    error = keep(
-      "detail", settings.DetailTexture, picture.Parts.DetailDimensions, true, report.DetailUploads);
-    if (!error.empty())
-    {
-      return "the detail texture " + error;
-    }
+    mapper.GetDetailTexture()->GetDimensions(picture.DetailSize.data());
+    keep("detail", "the detail texture", mapper.GetDetailTexture(), picture.Parts.DetailDimensions,
+      true, report.DetailUploads);
   }
-  if (!this->Scene.Paints.IsOne)
+  if (!scene.Paints.IsOne)
   {
-    error = textures.Keep(
-      picture.Window, "surfaces", false, { &this->Scene.Paints, this->Scene.Paints.Version, {} },
-      [&] { return MakeTable(this->Scene.Paints.Surfaces, 4); }, report.InflowUploads,
-      report.UploadedBytes);
+    textures.Keep(
+      "surfaces", "the texture of surfaces", false, { &scene.Paints, scene.Paints.Version, {} },
+      [&] { return MakeTable(scene.Paints.Surfaces, 4); }, report.InflowUploads);
   }
-  return error;
 }
 
-std::string FlowSources::KeepArrays(FlowPicture& picture)
+void KeepArrays(FlowPicture& picture, const FlowScene& scene, FlowTextures& textures)
 {
-  const vtkImplicitFlowVolumeSettings& settings = picture.Asked.Settings;
   vtkImplicitFlowVolumeReport& report = picture.Report;
-  FlowTextures& textures = this->Textures;
   std::vector<float> values;
   const auto keepArray = [&](const char* name, vtkDataArray* array)
   {
     report.NonFiniteSamples += CountNonFinite(array);
-    const std::array<int, 3>& size = this->Scene.Grid.Size;
-    return textures.Keep(
-      picture.Window, name, true,
+    const std::array<int, 3>& size = scene.Grid.Size;
+    textures.Keep(
+      name, "a texture of values", true,
       { array, array->GetMTime(), { { double(size[0]), double(size[1]), double(size[2]) } } },
       [&]
       {
@@ -226,70 +182,53 @@ std::string FlowSources::KeepArrays(FlowPicture& picture)
         source.IsSmooth = true;
         return source;
       },
-      report.ArrayUploads, report.UploadedBytes);
+      report.ArrayUploads);
   };
-  std::string error;
-  if (picture.OpacityValues)
+  const auto keepFunction = [&](const char* name, vtkPiecewiseFunction* function,
+                              const std::array<double, 2>& range, int& count)
   {
-    error = keepArray("opacityValues", picture.OpacityValues);
-    double range[2];
-    picture.OpacityValues->GetFiniteRange(range, 0);
-    picture.TransferRange = { { range[0], range[1] > range[0] ? range[1] : range[0] + 1.0 } };
-    vtkPiecewiseFunction* function = picture.Volume->GetProperty()->GetScalarOpacity(0);
-    if (error.empty())
-    {
-      error = textures.Keep(
-        picture.Window, "transfer", false,
-        { function, function->GetMTime(),
-          { { picture.TransferRange[0], picture.TransferRange[1], 0.0 } } },
-        [&]
-        {
-          values.resize(FlowShader::Columns);
-          function->GetTable(
-            picture.TransferRange[0], picture.TransferRange[1], FlowShader::Columns, values.data());
-          return MakeTable(values, 1);
-        },
-        report.TransferUploads, report.UploadedBytes);
-    }
-  }
-  if (error.empty() && picture.ShadingValues)
-  {
-    error = keepArray("shadingValues", picture.ShadingValues);
-  }
-  if (error.empty() && settings.TimeGate)
-  {
-    vtkPiecewiseFunction* gate = settings.TimeGate;
-    error = textures.Keep(
-      picture.Window, "gate", false,
-      { gate, 2 * gate->GetMTime() + (settings.TimeGateRepeat ? 1 : 0), {} },
+    textures.Keep(
+      name, "a texture of a function", false,
+      { function, function->GetMTime(), { { range[0], range[1], 0.0 } } },
       [&]
       {
         values.resize(FlowShader::Columns);
-        const bool isWhole = settings.TimeGateRepeat;
-        const double* range = gate->GetRange();
-        gate->GetTable(
-          isWhole ? 0.0 : range[0], isWhole ? 1.0 : range[1], FlowShader::Columns, values.data());
+        function->GetTable(range[0], range[1], FlowShader::Columns, values.data());
         return MakeTable(values, 1);
       },
-      report.GateUploads, report.UploadedBytes);
+      count);
+  };
+  if (picture.OpacityValues)
+  {
+    keepArray("opacityValues", picture.OpacityValues);
+    double range[2];
+    picture.OpacityValues->GetFiniteRange(range, 0);
+    picture.TransferRange = { { range[0], range[1] > range[0] ? range[1] : range[0] + 1.0 } };
+    keepFunction("transfer", picture.Volume->GetProperty()->GetScalarOpacity(0),
+      picture.TransferRange, report.TransferUploads);
   }
-  return error.empty() ? error : "a texture of values or of a function " + error;
+  if (picture.ShadingValues)
+  {
+    keepArray("shadingValues", picture.ShadingValues);
+  }
+  if (vtkPiecewiseFunction* gate = picture.Mapper.GetTimeGate())
+  {
+    const double* range = gate->GetRange();
+    const bool isRepeated = picture.Mapper.GetTimeGateRepeat();
+    keepFunction("gate", gate, { { isRepeated ? 0.0 : range[0], isRepeated ? 1.0 : range[1] } },
+      report.GateUploads);
+  }
+}
 }
 
-std::string FlowSources::Keep(FlowPicture& picture)
+std::string FlowSources::Keep(FlowPicture& picture, FlowScene& scene, FlowTextures& textures)
 {
-  FlowTextures& textures = this->Textures;
-  textures.Begin();
-  std::string error = this->KeepGrid(picture);
-  if (error.empty())
-  {
-    error = this->KeepPaints(picture);
-  }
-  if (error.empty())
-  {
-    error = this->KeepArrays(picture);
-  }
-  textures.Finish(picture.Window);
+  textures.Begin(picture.Window);
+  KeepGrid(picture, scene, textures);
+  KeepPaints(picture, scene, textures);
+  KeepArrays(picture, scene, textures);
+  const std::string error = textures.Finish();
+  picture.Report.UploadedBytes = textures.GetSentBytes();
   picture.Report.Textures = textures.GetNumber();
   picture.Report.TextureBytes = textures.GetBytes();
   if (!error.empty())
@@ -303,7 +242,7 @@ std::string FlowSources::Keep(FlowPicture& picture)
     return "the picture needs " + std::to_string(textures.GetNumber() + 1) +
       " textures, and a shader here has at most " + std::to_string(units);
   }
-  const vtkIdType most = picture.Asked.Settings.MaximumTextureMemory;
+  const vtkIdType most = picture.Mapper.GetMaximumTextureMemory();
   if (most > 0 && textures.GetBytes() > most)
   {
     return "textures of the picture take " + std::to_string(textures.GetBytes()) +

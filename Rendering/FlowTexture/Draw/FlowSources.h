@@ -12,28 +12,16 @@ struct FlowPicture;
 struct FlowScene;
 
 /**
- * @class   FlowSources
- * @brief   sends what a picture looks up: voxels, paint, arrays and functions
+ * Sends the arrays, images and functions that an image looks up.
  */
-class FlowSources
+namespace FlowSources
 {
-public:
-  FlowSources(FlowScene& scene, FlowTextures& textures);
-
-  /**
-   * Keeps the textures of a picture, and no others; the picture is told their sizes and ranges, its
-   * report what was sent. Returns what is wrong, or nothing.
-   */
-  std::string Keep(FlowPicture& picture);
-
-private:
-  std::string KeepGrid(FlowPicture& picture);
-  std::string KeepPaints(FlowPicture& picture);
-  std::string KeepArrays(FlowPicture& picture);
-
-  FlowScene& Scene;
-  FlowTextures& Textures;
-};
+/**
+ * Keeps the textures of an image, and no others. Sets their sizes and ranges in \a picture, and
+ * what was sent in its report. Returns an error message, or an empty string on success.
+ */
+std::string Keep(FlowPicture& picture, FlowScene& scene, FlowTextures& textures);
+}
 
 }
 

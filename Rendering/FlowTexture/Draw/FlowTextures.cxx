@@ -12,15 +12,18 @@
 namespace interlume
 {
 
-void FlowTextures::Begin()
+void FlowTextures::Begin(vtkOpenGLRenderWindow* window)
 {
+  this->Window = window;
+  this->SentBytes = 0;
+  this->Error.clear();
   for (auto& [name, texture] : this->Textures)
   {
     texture.IsUsed = false;
   }
 }
 
-void FlowTextures::Finish(vtkWindow* window)
+const std::string& FlowTextures::Finish()
 {
   for (auto it = this->Textures.begin(); it != this->Textures.end();)
   {
@@ -31,35 +34,39 @@ void FlowTextures::Finish(vtkWindow* window)
     }
     if (it->second.Object)
     {
-      it->second.Object->ReleaseGraphicsResources(window);
+      it->second.Object->ReleaseGraphicsResources(this->Window);
     }
     it = this->Textures.erase(it);
   }
+  return this->Error;
 }
 
-std::string FlowTextures::Keep(vtkOpenGLRenderWindow* window, const std::string& name,
-  bool isVolume, const Stamp& stamp, const std::function<Source()>& make, int& count,
-  vtkIdType& bytes)
+void FlowTextures::Keep(const std::string& name, const std::string& title, bool isVolume,
+  const Stamp& stamp, const std::function<Source()>& make, int& count)
 {
+  if (!this->Error.empty())
+  {
+    return;
+  }
   Texture& texture = this->Textures[name];
   texture.IsUsed = true;
   if (texture.Object && texture.Made == stamp)
   {
-    return {};
+    return;
   }
   texture.Made = {};
-  std::string error = this->Send(window, isVolume, texture, make());
-  if (error.empty())
+  const std::string error = this->Send(isVolume, texture, make());
+  if (!error.empty())
   {
-    texture.Made = stamp;
-    ++count;
-    bytes += texture.Bytes;
+    this->Error = title + " " + error;
+    return;
   }
-  return error;
+  texture.Made = stamp;
+  ++count;
+  this->SentBytes += texture.Bytes;
 }
 
-std::string FlowTextures::Send(
-  vtkOpenGLRenderWindow* window, bool isVolume, Texture& texture, const Source& source)
+std::string FlowTextures::Send(bool isVolume, Texture& texture, const Source& source)
 {
   if (!source.Fault.empty())
   {
@@ -82,9 +89,9 @@ std::string FlowTextures::Send(
   const unsigned int target = isVolume ? GL_TEXTURE_3D : GL_TEXTURE_2D;
   if (object->GetHandle() != 0 && object->GetTarget() != target)
   {
-    object->ReleaseGraphicsResources(window);
+    object->ReleaseGraphicsResources(this->Window);
   }
-  object->SetContext(window);
+  object->SetContext(this->Window);
   const int filter = source.IsSmooth ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
   object->SetMagnificationFilter(filter);
   object->SetMinificationFilter(
@@ -112,7 +119,7 @@ std::string FlowTextures::Send(
   texture.Bytes = texel * source.Size[0] * source.Size[1] * source.Size[2];
   if (!isMade || glGetError() != GL_NO_ERROR)
   {
-    object->ReleaseGraphicsResources(window);
+    object->ReleaseGraphicsResources(this->Window);
     return "takes " + std::to_string(texture.Bytes) +
       " bytes, for which the graphics card has no memory";
   }

@@ -56,17 +56,20 @@ public:
     }
   };
 
-  /// Begins a picture: textures that are not kept until Finish are released there.
-  void Begin();
+  /// Begins an image: textures that are not kept until Finish are released there.
+  void Begin(vtkOpenGLRenderWindow* window);
   /**
-   * Keeps a texture, of three dimensions if \a isVolume; \a make is called where the stamp is
-   * another than that of the last time. Returns what is wrong, as the end of a sentence that begins
-   * with the texture, or nothing; \a count and \a bytes grow by what was sent.
+   * Keeps a texture, of three dimensions if \a isVolume; \a make is called if the stamp is not that
+   * of the last time. \a count grows if it was sent. Nothing is kept after an error, whose message
+   * begins with \a title.
    */
-  std::string Keep(vtkOpenGLRenderWindow* window, const std::string& name, bool isVolume,
-    const Stamp& stamp, const std::function<Source()>& make, int& count, vtkIdType& bytes);
-  void Finish(vtkWindow* window);
+  void Keep(const std::string& name, const std::string& title, bool isVolume, const Stamp& stamp,
+    const std::function<Source()>& make, int& count);
+  /// Returns the message of the first error since Begin, or an empty string.
+  const std::string& Finish();
 
+  /// Returns the bytes sent since Begin.
+  vtkIdType GetSentBytes() const { return this->SentBytes; }
   int GetNumber() const { return static_cast<int>(this->Textures.size()); }
   vtkIdType GetBytes() const;
 
@@ -85,9 +88,11 @@ private:
     bool IsUsed = false;
   };
 
-  std::string Send(
-    vtkOpenGLRenderWindow* window, bool isVolume, Texture& texture, const Source& source);
+  std::string Send(bool isVolume, Texture& texture, const Source& source);
 
+  vtkOpenGLRenderWindow* Window = nullptr;
+  vtkIdType SentBytes = 0;
+  std::string Error;
   std::map<std::string, Texture> Textures;
   std::vector<vtkTextureObject*> Active;
 };

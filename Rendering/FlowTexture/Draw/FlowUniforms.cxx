@@ -3,6 +3,7 @@
 
 #include "Draw/FlowPicture.h"
 
+#include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkShaderProgram.h"
 #include "vtkVolume.h"
@@ -19,34 +20,25 @@ namespace interlume
 
 namespace
 {
-std::array<float, 3> ToFloats(const glm::dvec3& v)
-{
-  return { { static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z) } };
-}
-
 void SetValue(vtkShaderProgram* program, const char* name, const glm::dvec3& v)
 {
-  program->SetUniform3f(name, ToFloats(v).data());
+  program->SetUniform3f(name, glm::value_ptr(glm::vec3(v)));
 }
 
 void SetValue(vtkShaderProgram* program, const char* name, double x, double y)
 {
-  const float values[2] = { static_cast<float>(x), static_cast<float>(y) };
-  program->SetUniform2f(name, values);
+  program->SetUniform2f(name, glm::value_ptr(glm::vec2(x, y)));
 }
 
 void SetValue(vtkShaderProgram* program, const char* name, double x, double y, double z, double w)
 {
-  const float values[4] = { static_cast<float>(x), static_cast<float>(y), static_cast<float>(z),
-    static_cast<float>(w) };
-  program->SetUniform4f(name, values);
+  program->SetUniform4f(name, glm::value_ptr(glm::vec4(x, y, z, w)));
 }
 
 void SetValue(vtkShaderProgram* program, const char* name, const glm::dmat3& m)
 {
-  float values[9];
-  std::copy_n(glm::value_ptr(m), 9, values);
-  program->SetUniformMatrix3x3(name, values);
+  glm::mat3 values(m);
+  program->SetUniformMatrix3x3(name, glm::value_ptr(values));
 }
 
 void SetView(vtkShaderProgram* program, const FlowScene& scene, const FlowPicture& picture)
@@ -66,12 +58,7 @@ void SetView(vtkShaderProgram* program, const FlowScene& scene, const FlowPictur
   SetValue(program, "pixelSize", 2.0 / picture.Size[0], 2.0 / picture.Size[1]);
   if (!view.ClippingPlanes.empty())
   {
-    std::vector<std::array<float, 4>> planes;
-    for (const glm::dvec4& plane : view.ClippingPlanes)
-    {
-      planes.push_back({ { static_cast<float>(plane.x), static_cast<float>(plane.y),
-        static_cast<float>(plane.z), static_cast<float>(plane.w) } });
-    }
+    const std::vector<glm::vec4> planes(view.ClippingPlanes.begin(), view.ClippingPlanes.end());
     program->SetUniform4fv("clippingPlanes", static_cast<int>(planes.size()),
       reinterpret_cast<const float(*)[4]>(planes.data()));
   }
@@ -103,17 +90,17 @@ void FlowUniforms::Set(
 void FlowUniforms::SetMatter(
   vtkShaderProgram* program, const FlowScene& scene, const FlowPicture& picture)
 {
-  const vtkImplicitFlowVolumeSettings& settings = picture.Asked.Settings;
+  vtkImplicitFlowVolumeMapper& mapper = picture.Mapper;
   vtkVolumeProperty* property = picture.Volume->GetProperty();
   const glm::dvec3 size(scene.Grid.Size[0], scene.Grid.Size[1], scene.Grid.Size[2]);
   SetValue(program, "lastCell", size - 2.0);
   program->SetUniformf(
     "unitShare", static_cast<float>(1.0 / property->GetScalarOpacityUnitDistance(0)));
-  const double alpha = settings.DefaultColor[3];
-  const float color[4] = { static_cast<float>(settings.DefaultColor[0] * alpha),
-    static_cast<float>(settings.DefaultColor[1] * alpha),
-    static_cast<float>(settings.DefaultColor[2] * alpha), static_cast<float>(alpha) };
-  program->SetUniform4f("defaultColor", color);
+  const auto clamped = [&mapper](int channel)
+  { return std::min(std::max(mapper.GetDefaultColor()[channel], 0.0), 1.0); };
+  const double alpha = clamped(3);
+  SetValue(
+    program, "defaultColor", clamped(0) * alpha, clamped(1) * alpha, clamped(2) * alpha, alpha);
   std::array<double, 2> largest{ { 1.0, 1.0 } };
   for (const FlowPaints::Paint& paint : scene.Paints.Paints)
   {
@@ -128,23 +115,23 @@ void FlowUniforms::SetMatter(
   if (picture.Parts.DetailDimensions > 0)
   {
     const glm::dvec3 detail(picture.DetailSize[0], picture.DetailSize[1], picture.DetailSize[2]);
-    SetValue(program, "detailScale", glm::make_vec3(settings.DetailScale));
+    SetValue(program, "detailScale", glm::make_vec3(mapper.GetDetailScale()));
     SetValue(program, "detailSize", detail);
     for (int i = 0; i < 2; ++i)
     {
-      largest[i] = std::max(largest[i], detail[i] * std::abs(settings.DetailScale[i]));
+      largest[i] = std::max(largest[i], detail[i] * std::abs(mapper.GetDetailScale()[i]));
     }
   }
   SetValue(program, "paintSize", largest[0], largest[1]);
-  program->SetUniformi("largestPieces", settings.MaximumPaintSamples);
-  program->SetUniformf("timePeriod", static_cast<float>(settings.TimePeriod));
+  program->SetUniformi("largestPieces", mapper.GetMaximumPaintSamples());
+  program->SetUniformf("timePeriod", static_cast<float>(mapper.GetTimePeriod()));
   // A gate that repeats is the same for all phases that differ by whole periods.
-  const bool isWhole = settings.TimeGateRepeat && picture.Parts.DetailDimensions != 3;
-  const double phase = settings.TimePhase - (isWhole ? std::floor(settings.TimePhase) : 0.0);
+  const bool isWhole = mapper.GetTimeGateRepeat() && picture.Parts.DetailDimensions != 3;
+  const double phase = mapper.GetTimePhase() - (isWhole ? std::floor(mapper.GetTimePhase()) : 0.0);
   program->SetUniformf("timePhase", static_cast<float>(phase));
-  if (settings.TimeGate)
+  if (mapper.GetTimeGate())
   {
-    const double* range = settings.TimeGate->GetRange();
+    const double* range = mapper.GetTimeGate()->GetRange();
     SetValue(program, "gateRange", range[0], std::max(range[1] - range[0], 1e-30));
   }
   SetValue(program, "transferRange", picture.TransferRange[0],

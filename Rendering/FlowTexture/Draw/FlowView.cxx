@@ -9,6 +9,7 @@
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkRenderer.h"
+#include "vtkVolumeMapper.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +27,8 @@ glm::dmat4 FromRows(vtkMatrix4x4* matrix)
 }
 }
 
-std::string FlowView::Set(
-  vtkRenderer* renderer, vtkImageData* image, vtkMatrix4x4* worldFromVolume, const Cuts& cuts)
+std::string FlowView::Set(vtkRenderer* renderer, vtkImageData* image, vtkMatrix4x4* worldFromVolume,
+  vtkVolumeMapper* mapper)
 {
   *this = FlowView();
   int dimensions[3];
@@ -63,11 +64,11 @@ std::string FlowView::Set(
   {
     return "the camera's matrix is not finite";
   }
-  if (cuts.IsCropped)
+  if (mapper->GetCropping())
   {
-    this->SetCropping(cuts);
+    this->SetCropping(mapper);
   }
-  return this->SetClipping(cuts.Planes);
+  return this->SetClipping(mapper->GetClippingPlanes());
 }
 
 void FlowView::SetRays(const glm::dmat4& voxelsFromClip, bool isParallel, const glm::dvec3& middle)
@@ -126,12 +127,14 @@ std::string FlowView::SetClipping(vtkPlaneCollection* planes)
   return {};
 }
 
-void FlowView::SetCropping(const Cuts& cuts)
+void FlowView::SetCropping(vtkVolumeMapper* mapper)
 {
   const glm::dmat4 rows = glm::transpose(this->VolumeFromVoxels);
   CroppingRegions::Matrix toVolume;
   std::copy_n(glm::value_ptr(rows), 16, toVolume.begin());
-  this->Regions = CroppingRegions(cuts.CroppingPlanes, cuts.CroppingFlags, toVolume);
+  std::array<double, 6> cropping;
+  mapper->GetCroppingRegionPlanes(cropping.data());
+  this->Regions = CroppingRegions(cropping, mapper->GetCroppingRegionFlags(), toVolume);
   CroppingRegions::Box box;
   for (int axis = 0; axis < 3; ++axis)
   {

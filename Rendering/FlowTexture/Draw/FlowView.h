@@ -18,6 +18,7 @@ class vtkImageData;
 class vtkMatrix4x4;
 class vtkPlaneCollection;
 class vtkRenderer;
+class vtkVolumeMapper;
 
 namespace interlume
 {
@@ -33,18 +34,10 @@ namespace interlume
 class FlowView
 {
 public:
-  /// What cuts the volume.
-  struct Cuts
-  {
-    vtkPlaneCollection* Planes = nullptr;
-    bool IsCropped = false;
-    std::array<double, 6> CroppingPlanes{};
-    int CroppingFlags = 0;
-  };
-
-  /// Finds all of it. Returns what is wrong, or nothing.
-  std::string Set(
-    vtkRenderer* renderer, vtkImageData* image, vtkMatrix4x4* worldFromVolume, const Cuts& cuts);
+  /// Finds all of it, cut by the planes and the cropping of \a mapper. Returns an error message, or
+  /// an empty string on success.
+  std::string Set(vtkRenderer* renderer, vtkImageData* image, vtkMatrix4x4* worldFromVolume,
+    vtkVolumeMapper* mapper);
 
   bool IsParallel = false;
   glm::dvec3 Origin{ 0.0 };
@@ -74,7 +67,7 @@ public:
 private:
   void SetRays(const glm::dmat4& voxelsFromClip, bool isParallel, const glm::dvec3& middle);
   std::string SetClipping(vtkPlaneCollection* planes);
-  void SetCropping(const Cuts& cuts);
+  void SetCropping(vtkVolumeMapper* mapper);
 };
 
 }

@@ -16,6 +16,7 @@
 #include "Offscreen/SceneDepth.h"
 
 #include "vtkDataArray.h"
+#include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
@@ -58,12 +59,12 @@ FlowVolumeRenderer::FlowVolumeRenderer() = default;
 
 FlowVolumeRenderer::~FlowVolumeRenderer() = default;
 
-std::string FlowVolumeRenderer::UpdateGrid(const Request& request)
+std::string FlowVolumeRenderer::UpdateGrid(vtkImageData* image)
 {
-  const std::pair<const void*, vtkMTimeType> stamp(request.Image, request.Image->GetMTime());
+  const std::pair<const void*, vtkMTimeType> stamp(image, image->GetMTime());
   if (this->GridStamp != stamp)
   {
-    this->GridError = this->Scene.Grid.Build(request.Image);
+    this->GridError = this->Scene.Grid.Build(image);
     this->GridStamp = stamp;
     ++this->Scene.GridVersion;
   }
@@ -72,28 +73,28 @@ std::string FlowVolumeRenderer::UpdateGrid(const Request& request)
 
 std::string FlowVolumeRenderer::FindArrays(FlowPicture& picture)
 {
-  const vtkImplicitFlowVolumeSettings& settings = picture.Asked.Settings;
+  vtkImplicitFlowVolumeMapper& mapper = picture.Mapper;
   const auto find = [&](const std::string& name, vtkDataArray*& array) -> std::string
   {
-    std::string fault = ArrayCheck::FindPointFault(picture.Asked.Image, "input", name, 0);
-    array = fault.empty() ? picture.Asked.Image->GetPointData()->GetArray(name.c_str()) : nullptr;
+    std::string fault = ArrayCheck::FindPointFault(picture.Image, "input", name, 0);
+    array = fault.empty() ? picture.Image->GetPointData()->GetArray(name.c_str()) : nullptr;
     return fault;
   };
   std::string fault;
   FlowShader::Parts& parts = picture.Parts;
-  if (!settings.OpacityArray.empty())
+  if (*mapper.GetOpacityArray())
   {
-    fault = find(settings.OpacityArray, picture.OpacityValues);
+    fault = find(mapper.GetOpacityArray(), picture.OpacityValues);
     if (fault.empty() && picture.OpacityValues->GetNumberOfComponents() != 1)
     {
-      fault = ArrayCheck::FindPointFault(picture.Asked.Image, picture.OpacityValues, 1);
+      fault = ArrayCheck::FindPointFault(picture.Image, picture.OpacityValues, 1);
     }
     parts.HasTransfer = true;
   }
   const bool isShaded = picture.Volume->GetProperty()->GetShade() != 0;
-  if (fault.empty() && isShaded && !settings.ShadingArray.empty())
+  if (fault.empty() && isShaded && *mapper.GetShadingArray())
   {
-    fault = find(settings.ShadingArray, picture.ShadingValues);
+    fault = find(mapper.GetShadingArray(), picture.ShadingValues);
     const int components =
       picture.ShadingValues ? picture.ShadingValues->GetNumberOfComponents() : 1;
     parts.IsShaded = true;
@@ -104,10 +105,10 @@ std::string FlowVolumeRenderer::FindArrays(FlowPicture& picture)
         ArrayCheck::Count(components, "component") + "; 1 or 3 are needed to shade by";
     }
   }
-  if (fault.empty() && settings.DetailTexture)
+  if (fault.empty() && mapper.GetDetailTexture())
   {
     int size[3];
-    settings.DetailTexture->GetDimensions(size);
+    mapper.GetDetailTexture()->GetDimensions(size);
     parts.DetailDimensions = size[0] > 1 && size[1] > 1 && size[2] > 1 ? 3 : 2;
   }
   return fault;
@@ -115,7 +116,7 @@ std::string FlowVolumeRenderer::FindArrays(FlowPicture& picture)
 
 std::string FlowVolumeRenderer::Update(FlowPicture& picture)
 {
-  std::string error = this->UpdateGrid(picture.Asked);
+  std::string error = this->UpdateGrid(picture.Image);
   if (error.empty())
   {
     error = this->FindArrays(picture);
@@ -123,22 +124,22 @@ std::string FlowVolumeRenderer::Update(FlowPicture& picture)
   if (error.empty())
   {
     error = this->Scene.View.Set(
-      picture.Renderer, picture.Asked.Image, picture.Volume->GetMatrix(), picture.Asked.Cuts);
+      picture.Renderer, picture.Image, picture.Volume->GetMatrix(), &picture.Mapper);
   }
   if (!error.empty())
   {
     return error;
   }
-  const vtkImplicitFlowVolumeSettings& settings = picture.Asked.Settings;
+  vtkImplicitFlowVolumeMapper& mapper = picture.Mapper;
   vtkImplicitFlowVolumeReport& report = picture.Report;
-  this->Scene.Paints.Assign(settings.InflowTextures, this->Scene.Grid);
+  this->Scene.Paints.Assign(mapper.GetInflowTextures(), this->Scene.Grid);
   // llvmpipe ends a shader's loops after 65,535 rounds of all of them.
-  const double mostSamples = 60000.0 / (settings.MaximumPaintSamples + 5);
+  const double mostSamples = 60000.0 / (mapper.GetMaximumPaintSamples() + 5);
   picture.SampleDistance = std::max(
-    settings.SampleDistance > 0.0 ? settings.SampleDistance : 0.5 * this->Scene.View.Spacing,
+    mapper.GetSampleDistance() > 0.0 ? mapper.GetSampleDistance() : 0.5 * this->Scene.View.Spacing,
     this->Scene.View.Diagonal / mostSamples);
   report.SampleDistance = picture.SampleDistance;
-  report.ImageSampleDistance = settings.ImageSampleDistance;
+  report.ImageSampleDistance = mapper.GetImageSampleDistance();
   report.Surfaces = static_cast<int>(this->Scene.Grid.Ids.size());
   report.SurfacesWithoutTexture = this->Scene.Paints.WithoutTexture;
   report.UniformCells = this->Scene.Grid.UniformCells;
@@ -204,8 +205,7 @@ std::string FlowVolumeRenderer::Draw(FlowPicture& picture, WindowResources& reso
   {
     depth->ReleaseGraphicsResources(window);
   }
-  const FlowShader shader(
-    picture.Asked.Settings, picture.Parts, this->Scene.Paints, this->Scene.View);
+  const FlowShader shader(picture.Mapper, picture.Parts, this->Scene.Paints, this->Scene.View);
   picture.Report.Features = shader.GetNames();
   picture.Report.ImageBufferBytes =
     FloatTexture::Allocate(window, resources.Image, picture.Size[0], picture.Size[1], 4, true);
@@ -255,7 +255,7 @@ std::string FlowVolumeRenderer::Draw(FlowPicture& picture, WindowResources& reso
 }
 
 std::string FlowVolumeRenderer::Render(vtkRenderer* renderer, vtkVolume* volume,
-  const Request& request, vtkImplicitFlowVolumeReport& report)
+  vtkImplicitFlowVolumeMapper& mapper, vtkImageData* image, vtkImplicitFlowVolumeReport& report)
 {
   const double start = vtkTimerLog::GetUniversalTime();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -273,13 +273,13 @@ std::string FlowVolumeRenderer::Render(vtkRenderer* renderer, vtkVolume* volume,
   {
     resources = std::make_unique<WindowResources>();
   }
-  FlowPicture picture{ renderer, window, volume, request, report };
+  FlowPicture picture{ renderer, window, volume, mapper, image, report };
   // The selection of a volume has no light.
   const bool isSelection = renderer->GetSelector() != nullptr;
-  picture.HasShadows = request.Settings.Shadows && !isSelection && FlowSlices::IsAsked(renderer);
+  picture.HasShadows = mapper.GetShadows() && !isSelection && FlowSlices::IsAsked(renderer);
   if (!picture.HasShadows && !isSelection)
   {
-    this->ReleaseSlices(window, request.Settings.Shadows);
+    this->ReleaseSlices(window, mapper.GetShadows());
   }
   int size[2];
   int origin[2];
@@ -287,12 +287,12 @@ std::string FlowVolumeRenderer::Render(vtkRenderer* renderer, vtkVolume* volume,
   for (int i = 0; i < 2; ++i)
   {
     picture.Size[i] =
-      std::max(static_cast<int>(std::lround(size[i] / request.Settings.ImageSampleDistance)), 1);
+      std::max(static_cast<int>(std::lround(size[i] / mapper.GetImageSampleDistance())), 1);
   }
   std::string error = this->Update(picture);
   if (error.empty())
   {
-    error = FlowSources(this->Scene, resources->Textures).Keep(picture);
+    error = FlowSources::Keep(picture, this->Scene, resources->Textures);
   }
   if (error.empty() && !this->Scene.Grid.Ids.empty())
   {

@@ -27,21 +27,20 @@ class FlowSlices;
 class FlowVolumeRenderer
 {
 public:
-  using Request = FlowPicture::Request;
-
   FlowVolumeRenderer();
   ~FlowVolumeRenderer();
 
-  /// Draws a picture. Returns what is wrong, or nothing; then nothing is drawn.
-  std::string Render(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
-    vtkImplicitFlowVolumeReport& report);
+  /// Draws an image of \a image, as the mapper is set. Returns an error message, or an empty string
+  /// on success; nothing is drawn otherwise.
+  std::string Render(vtkRenderer* renderer, vtkVolume* volume, vtkImplicitFlowVolumeMapper& mapper,
+    vtkImageData* image, vtkImplicitFlowVolumeReport& report);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   struct WindowResources;
 
-  std::string UpdateGrid(const Request& request);
+  std::string UpdateGrid(vtkImageData* image);
   std::string FindArrays(FlowPicture& picture);
   std::string Update(FlowPicture& picture);
   std::string Draw(FlowPicture& picture, WindowResources& resources);

@@ -260,31 +260,40 @@ float FlowGrid::FindSlope(const std::array<vtkIdType, 8>& corners) const
   return std::sqrt(largest);
 }
 
-void FlowGrid::FindKinds()
+template <typename Visit>
+void FlowGrid::ForEachCell(const Visit& visit) const
 {
-  const vtkIdType rows[3] = { this->Size[0] - 1, this->Size[1] - 1, this->Size[2] - 1 };
-  const vtkIdType nextRow = this->Size[0];
-  const vtkIdType nextSlice = nextRow * this->Size[1];
-  this->Cells.resize(2 * static_cast<std::size_t>(rows[0] * rows[1] * rows[2]));
-  vtkSMPTools::For(0, rows[2],
+  const vtkIdType size[3] = { this->Size[0] - 1, this->Size[1] - 1, this->Size[2] - 1 };
+  vtkSMPTools::For(0, size[2],
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType k = first; k < last; ++k)
       {
-        for (vtkIdType j = 0; j < rows[1]; ++j)
+        for (vtkIdType j = 0; j < size[1]; ++j)
         {
-          for (vtkIdType i = 0; i < rows[0]; ++i)
+          for (vtkIdType i = 0; i < size[0]; ++i)
           {
-            const vtkIdType a = i + nextRow * j + nextSlice * k;
-            const std::array<vtkIdType, 8> corners{ { a, a + 1, a + nextRow, a + nextRow + 1,
-              a + nextSlice, a + nextSlice + 1, a + nextSlice + nextRow,
-              a + nextSlice + nextRow + 1 } };
-            unsigned short* cell = &this->Cells[2 * (i + rows[0] * (j + rows[1] * k))];
-            cell[0] = this->FindKind(corners);
-            cell[1] = GetSlopeCode(this->FindSlope(corners));
+            visit(i, j, k, 2 * static_cast<std::size_t>(i + size[0] * (j + size[1] * k)));
           }
         }
       }
+    });
+}
+
+void FlowGrid::FindKinds()
+{
+  const vtkIdType row = this->Size[0];
+  const vtkIdType slice = row * this->Size[1];
+  this->Cells.resize(2 * static_cast<std::size_t>(row - 1) *
+    static_cast<std::size_t>(this->Size[1] - 1) * static_cast<std::size_t>(this->Size[2] - 1));
+  this->ForEachCell(
+    [&](vtkIdType i, vtkIdType j, vtkIdType k, std::size_t cell)
+    {
+      const vtkIdType a = i + row * j + slice * k;
+      const std::array<vtkIdType, 8> corners{ { a, a + 1, a + row, a + row + 1, a + slice,
+        a + slice + 1, a + slice + row, a + slice + row + 1 } };
+      this->Cells[cell] = this->FindKind(corners);
+      this->Cells[cell + 1] = GetSlopeCode(this->FindSlope(corners));
     });
   for (std::size_t i = 0; i < this->Cells.size(); i += 2)
   {
@@ -359,32 +368,22 @@ void FlowGrid::FindDistances()
 void FlowGrid::MarkInner()
 {
   const vtkIdType size[3] = { this->Size[0] - 1, this->Size[1] - 1, this->Size[2] - 1 };
-  const auto at = [&size](vtkIdType i, vtkIdType j, vtkIdType k)
-  { return 2 * static_cast<std::size_t>(i + size[0] * (j + size[1] * k)); };
-  vtkSMPTools::For(0, size[2],
-    [&](vtkIdType first, vtkIdType last)
+  this->ForEachCell(
+    [&](vtkIdType i, vtkIdType j, vtkIdType k, std::size_t cell)
     {
-      for (vtkIdType k = first; k < last; ++k)
+      const unsigned short kind = this->Cells[cell];
+      bool isInner = kind != SPLIT && kind <= LARGEST_LABEL;
+      for (int n = 0; n < 27 && isInner; ++n)
       {
-        for (vtkIdType j = 0; j < size[1]; ++j)
-        {
-          for (vtkIdType i = 0; i < size[0]; ++i)
-          {
-            const unsigned short kind = this->Cells[at(i, j, k)];
-            bool isInner = kind != SPLIT && kind <= LARGEST_LABEL;
-            for (int n = 0; n < 27 && isInner; ++n)
-            {
-              const vtkIdType x = i + n % 3 - 1;
-              const vtkIdType y = j + n / 3 % 3 - 1;
-              const vtkIdType z = k + n / 9 - 1;
-              const bool isThere =
-                x >= 0 && y >= 0 && z >= 0 && x < size[0] && y < size[1] && z < size[2];
-              isInner = !isThere || this->Cells[at(x, y, z)] == kind;
-            }
-            this->Cells[at(i, j, k) + 1] |= isInner ? 1 : 0;
-          }
-        }
+        const vtkIdType x = i + n % 3 - 1;
+        const vtkIdType y = j + n / 3 % 3 - 1;
+        const vtkIdType z = k + n / 9 - 1;
+        const bool isThere =
+          x >= 0 && y >= 0 && z >= 0 && x < size[0] && y < size[1] && z < size[2];
+        isInner = !isThere ||
+          this->Cells[2 * static_cast<std::size_t>(x + size[0] * (y + size[1] * z))] == kind;
       }
+      this->Cells[cell + 1] |= isInner ? 1 : 0;
     });
 }
 

@@ -87,6 +87,9 @@ private:
   void FindIds(const Arrays& arrays);
   void ReadPeriods(vtkImageData* image);
   void ReadVoxels(const Arrays& arrays);
+  /// Calls visit(i, j, k, cell) for all cells in parallel, with their numbers in Cells.
+  template <typename Visit>
+  void ForEachCell(const Visit& visit) const;
   void FindKinds();
   unsigned short FindKind(const std::array<vtkIdType, 8>& corners) const;
   float FindSlope(const std::array<vtkIdType, 8>& corners) const;
