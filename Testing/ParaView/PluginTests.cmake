@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # In the build of the plugin: scripts that pvbatch runs, alone and with four MPI ranks.
 set(INTERLUME_EXTRACTIONS "" CACHE PATH
-  "The folder that TestExtractionNumbers and the programs of pictures wrote in a build of the VTK modules")
+  "The folder that TestExtractionNumbers and the tests of pictures wrote in a build of the VTK modules")
 if (NOT INTERLUME_EXTRACTIONS)
   message(FATAL_ERROR
     "The plugin's tests need INTERLUME_EXTRACTIONS, a folder that the tests of a build of the VTK "

@@ -5,7 +5,8 @@ import numpy
 from paraview import simple
 
 from plugin_testing import (
-    Checks, as_set, fetch, interval_volume, leaves, load_plugin, open_data, output_in_place, simplices)
+    Checks, as_set, fetch, interval_volume, leaves, load_plugin, open_data, output_in_place)
+from simplex_measures import simplices
 
 LEAVES = (("wavelet", "RTData", (140.0, 180.0)), ("disk_out_ref", "Temp", (400.0, 700.0)))
 

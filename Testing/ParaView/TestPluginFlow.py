@@ -12,14 +12,10 @@ from extraction_measures import check_sum, compare
 from flow_testing import (
     analytic_flow, flow_field, flow_volume, inflow_mapping, stream_lic, stream_texture, vortex_axis)
 from plugin_testing import Checks, extractions_path, fetch, load_plugin
+from simplex_measures import counts
 
 OUTPUTS = (("volume", "IntervalId"), ("stream surfaces", "StreamSurfaceId"),
            ("time surfaces", "TimeSurfaceId"))
-
-
-def counts(array):
-    values, numbers = numpy.unique(vtk_to_numpy(array), return_counts=True)
-    return {str(value): int(number) for value, number in zip(values, numbers)}
 
 
 def compare_samples(checks, name, data, expected):

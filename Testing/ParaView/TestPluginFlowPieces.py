@@ -15,7 +15,8 @@ from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from flow_testing import analytic_flow, flow_field, flow_volume, inflow_mapping
-from plugin_testing import Checks, extractions_path, fetch, load_plugin, simplices, sizes
+from plugin_testing import Checks, extractions_path, fetch, load_plugin
+from simplex_measures import simplices, sizes
 
 ARRAYS = ("FlowStatus", "TerminationId", "TerminationUV", "AdvectionTime", "Inflow")
 RASTER = 1.7e-3  # of places: an image that is fetched from a process has six digits of its origin

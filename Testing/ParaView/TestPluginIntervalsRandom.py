@@ -7,7 +7,8 @@ import random
 import numpy
 from paraview import simple
 
-from plugin_testing import Checks, as_set, fetch, load_plugin, open_data, simplices, warnings_of
+from plugin_testing import Checks, as_set, fetch, load_plugin, open_data, warnings_of
+from simplex_measures import simplices
 
 STEPS = 60
 

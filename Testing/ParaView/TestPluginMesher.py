@@ -4,8 +4,8 @@
 import numpy
 from paraview import simple
 
-from plugin_testing import (Checks, check_documentation, check_menu, fetch, load_plugin, simplices,
-                            sizes)
+from plugin_testing import Checks, check_documentation, check_menu, fetch, load_plugin
+from simplex_measures import simplices, sizes
 
 
 def volumes(mesh):

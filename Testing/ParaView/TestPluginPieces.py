@@ -12,8 +12,8 @@ import numpy
 from paraview import servermanager, simple
 
 from plugin_testing import (
-    Checks, as_set, fetch, interval_volume, load_plugin, open_data, simplices, temporal_source,
-    time_varying_volume)
+    Checks, as_set, fetch, interval_volume, load_plugin, open_data, temporal_source, time_varying_volume)
+from simplex_measures import simplices
 
 FIELD = {"WholeExtent": [0, 23, 0, 19, 0, 19], "Bounds": [-0.5, 0.5, -0.4, 0.4, -0.4, 0.4]}
 IN_TIME = {"Intervals": [0.3, 0.5, 0.5, 0.8], "GenerateSimplices": True}

@@ -8,7 +8,8 @@ import sys
 import numpy
 from paraview import servermanager, simple
 
-from plugin_testing import Checks, as_set, fetch, leaves, load_plugin, simplices, temporal_source
+from plugin_testing import Checks, as_set, fetch, leaves, load_plugin, temporal_source
+from simplex_measures import simplices
 
 KIND = "Interlume Slabs of Interval Volumes"
 

@@ -9,8 +9,9 @@ from paraview import simple
 
 from extraction_measures import compare
 from plugin_testing import (
-    Checks, as_set, extractions_path, fetch, leaves, load_plugin, output_in_place, simplices,
-    temporal_source, time_varying_volume)
+    Checks, as_set, extractions_path, fetch, leaves, load_plugin, output_in_place, temporal_source,
+    time_varying_volume)
+from simplex_measures import simplices
 
 PORTS = (("tetrahedra", "SimplexClass"), ("boundaries", "BoundaryKind"), ("simplices", "TimeSlab"))
 

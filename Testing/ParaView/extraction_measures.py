@@ -1,24 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The measures of an extraction that ExtractionMeasures.cxx takes, compared."""
+"""The measures of an extraction in the build of the VTK modules, compared."""
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
 import numpy
 
-from plugin_testing import simplices, sizes
+from simplex_measures import array_ranges, integrals, simplices, sizes
 
 TOLERANCE = 1e-12  # of a sum without signs, whose order differs
-
-
-def array_ranges(attributes):
-    arrays = [attributes.GetArray(i) for i in range(attributes.GetNumberOfArrays())]
-    return {array.GetName(): list(array.GetRange()) for array in arrays}
-
-
-def integrals(grid, array):
-    """Of a point array over each tetrahedron."""
-    corners = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 4)
-    values = vtk_to_numpy(grid.GetPointData().GetArray(array))
-    return sizes(simplices(grid)) * values[corners].mean(axis=1)
 
 
 def check_sum(checks, terms, expected, what):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Flow filters as FlowExtraction.cxx makes them, from the same descriptions."""
+"""Flow filters as Extractions/pipelines.py makes them, from the same descriptions."""
 
 from paraview import servermanager, simple
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests inside ParaView share: the plugin, the data, simplices as numpy arrays, checks."""
+"""What the tests inside ParaView share: the plugin, the data, sets of simplices, checks."""
 
 import contextlib
 import os
@@ -42,7 +42,7 @@ def can_exchange_data():
 
 
 def extractions_path(name):
-    """A file in the folder that ExtractionNumbers wrote."""
+    """A file in the folder that the programs in Extractions wrote."""
     return os.path.join(os.environ["INTERLUME_EXTRACTIONS"], name)
 
 
@@ -59,7 +59,7 @@ def manifest_arrays():
 
 
 def open_data(name):
-    """The wavelet source, or a reader of a dataset that ExtractionNumbers left, with its data read.
+    """The wavelet source, or a reader of a dataset that write_numbers.py left, with its data read.
 
     The dataset is a .vtk file unless the name has an extension.
     """
@@ -145,33 +145,6 @@ def leaves(composite):
     while not iterator.IsDoneWithTraversal():
         yield iterator.GetCurrentDataObject()
         iterator.GoToNextItem()
-
-
-def simplices(grid, chosen=slice(None)):
-    """Corner coordinates of the cells of a grid, or of those chosen, which all have as many corners:
-    (cells, corners, 3), or for 4-simplices, with the point array Time, (cells, 5, 4)."""
-    if grid.GetNumberOfCells() == 0:
-        return numpy.empty((0, 4, 3), numpy.float32)
-    points = vtk_to_numpy(grid.GetPoints().GetData())
-    offsets = vtk_to_numpy(grid.GetCells().GetOffsetsArray())
-    corners = numpy.unique(numpy.diff(offsets)[chosen])
-    assert len(corners) == 1, "cells of one kind"
-    if corners == 5:
-        points = numpy.column_stack([points, vtk_to_numpy(grid.GetPointData().GetArray("Time"))])
-    ids = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
-    return points[ids[offsets[:-1][chosen][:, None] + numpy.arange(corners[0])]]
-
-
-def sizes(cells):
-    """Areas of triangles, signed volumes of tetrahedra or hypervolumes of 4-simplices, in double
-    precision."""
-    edges = cells[:, 1:].astype(float) - cells[:, :1]
-    if cells.shape[1] == 5:
-        return numpy.linalg.det(edges) / 24
-    normals = numpy.cross(edges[:, 0], edges[:, 1])
-    if cells.shape[1] == 3:
-        return numpy.linalg.norm(normals, axis=1) / 2
-    return numpy.einsum("ij,ij->i", normals, edges[:, 2]) / 6
 
 
 def as_set(cells):

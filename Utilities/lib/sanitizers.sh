@@ -8,7 +8,7 @@ test_with_sanitizer()
 {
   local name=$1 suppressions=$source_dir/Utilities/sanitizers excluded='Gallery|TestInstalledPackage'
   if [ "$name" = thread ]; then
-    excluded="$excluded|TestTetrahedraMapper|TestVolumeStage|TestRepresentationPictures"
+    excluded="$excluded|TestTetrahedraMapper|TestVolumeStage"
   fi
   build_preset "sanitize-$name"
   # The thread pool of the standard library instead of TBB: ThreadSanitizer sees its locks.
