@@ -15,7 +15,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
 from plugin_pictures import add_array, coordinates, image, load_texture, producer, snapshot
-from plugin_testing import Checks, load_plugin
+from plugin_testing import run
 from shadow_scene import add_sun, brightness, dark_view, make_plate, show_surface
 
 WHITE = 255.0
@@ -258,9 +258,7 @@ def check_handles(checks, view):
     checks.equal(handles.get("Width"), [0.0], "no width below 0")
 
 
-def main():
-    load_plugin()
-    checks = Checks()
+def main(checks):
     view, slab, display = make_scene()
     check_width(checks, view, display)
     check_settings(checks, view, display)
@@ -268,7 +266,6 @@ def main():
     check_handles(checks, view)
     check_view_lights(checks, view, display)
     check_light(checks, view, slab, display)
-    checks.finish()
 
 
-main()
+run(main)

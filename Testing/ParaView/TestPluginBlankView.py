@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonCore import vtkFloatArray, vtkIdTypeArray, vtkStringArr
 
 from plugin_pictures import (
     add_array, color_by, coordinates, grid, image, look_at, plain_view, producer, share_shown, snapshot)
-from plugin_testing import Checks, load_plugin, open_data, open_file
+from plugin_testing import open_data, open_file, run
 
 SMALLEST_SHARE = 0.05
 KINDS = (("Shadowed Slices", image), ("Interval Volume", grid))
@@ -152,15 +152,12 @@ def check_state(checks, kind, make, folder):
         simple.Delete(view)
 
 
-def main():
-    load_plugin()
-    checks = Checks()
+def main(checks):
     for kind, make in KINDS:
         check_switched_on(checks, kind, make)
         check_choice(checks, kind, make)
         check_solid(checks, kind, make)
         check_state(checks, kind, make, sys.argv[1])
-    checks.finish()
 
 
-main()
+run(main)

@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPartitionedDa
 
 from plugin_pictures import (
     add_array, color_by, coordinates, grid, image, look_at, plain_view, producer, share_shown, snapshot)
-from plugin_testing import Checks, load_plugin, open_file
+from plugin_testing import open_file, run
 
 SIDE = 5
 
@@ -118,13 +118,10 @@ def check_images(checks):
         simple.Delete(view)
 
 
-def main():
-    load_plugin()
-    checks = Checks()
+def main(checks):
     check_selection(checks)
     check_mug(checks)
     check_images(checks)
-    checks.finish()
 
 
-main()
+run(main)

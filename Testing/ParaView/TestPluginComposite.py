@@ -4,8 +4,7 @@
 import numpy
 from paraview import simple
 
-from plugin_testing import (
-    Checks, as_set, fetch, interval_volume, leaves, load_plugin, open_data, output_in_place)
+from plugin_testing import as_set, fetch, interval_volume, leaves, open_data, output_in_place, run
 from simplex_measures import simplices
 
 LEAVES = (("wavelet", "RTData", (140.0, 180.0)), ("disk_out_ref", "Temp", (400.0, 700.0)))
@@ -20,9 +19,7 @@ def renamed(name, array):
     return calculator
 
 
-def main():
-    load_plugin()
-    checks = Checks()
+def main(checks):
     sources = [renamed(name, array) for name, array, _ in LEAVES]
     intervals = [interval for _, _, interval in LEAVES]
     group = simple.GroupDatasets(Input=sources)
@@ -42,7 +39,6 @@ def main():
         checks.that(numpy.array_equal(as_set(simplices(leaf)), as_set(alone)), f"tetrahedra of {name}")
     for (name, _, _), leaf in zip(LEAVES, leaves(triangles)):
         checks.that(leaf.GetNumberOfCells() > 0, f"{name} has triangles")
-    checks.finish()
 
 
-main()
+run(main)

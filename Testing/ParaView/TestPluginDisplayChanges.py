@@ -9,7 +9,7 @@ from paraview import simple
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 
 from plugin_pictures import add_array, color_by, coordinates, grid, image, plain_view, producer, snapshot
-from plugin_testing import Checks, load_plugin
+from plugin_testing import run
 
 SEQUENCES = 6
 STEPS = 12
@@ -96,14 +96,11 @@ def check(checks, name, source, kinds, choices, seed):
     checks.that(expected.max() > 0, f"{name}, sequence {seed}, shows something, {last}")
 
 
-def main():
-    load_plugin()
-    checks = Checks()
+def main(checks):
     for name, make, kinds, choices in CASES:
         source = producer(make())
         for seed in range(SEQUENCES):
             check(checks, name, source, kinds, choices, seed)
-    checks.finish()
 
 
-main()
+run(main)

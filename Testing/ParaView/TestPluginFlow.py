@@ -2,8 +2,6 @@
 """Implicit flow fields, inflow mappings and flow volumes inside ParaView are those that the C++ classes
 gave: several surfaces, meshes, vortex axes, images, all of their properties."""
 
-import json
-
 import numpy
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -11,7 +9,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from extraction_measures import check_sum, compare
 from flow_testing import (
     analytic_flow, flow_field, flow_volume, inflow_mapping, stream_lic, stream_texture, vortex_axis)
-from plugin_testing import Checks, extractions_path, fetch, load_plugin
+from plugin_testing import fetch, read_extractions, run
 from simplex_measures import counts
 
 OUTPUTS = (("volume", "IntervalId"), ("stream surfaces", "StreamSurfaceId"),
@@ -66,17 +64,12 @@ def repeat(checks, name, extraction):
         checks.equal(axis.GetNumberOfPoints(), extraction["axis_points"], f"{name}, points of the axis")
 
 
-def main():
-    load_plugin()
-    checks = Checks()
-    with open(extractions_path("flow.json"), encoding="utf-8") as file:
-        extractions = json.load(file)
-    checks.that(len(extractions) > 0, "there are extractions to repeat")
+def main(checks):
+    extractions = read_extractions("flow.json")
     for number, extraction in enumerate(extractions):
         name = f"{number}: flow {extraction['source_properties']['Field']}"
         print(name, flush=True)
         repeat(checks, name, extraction)
-    checks.finish()
 
 
-main()
+run(main)

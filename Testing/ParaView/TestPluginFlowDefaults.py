@@ -6,13 +6,11 @@ import time
 
 import numpy
 from paraview import servermanager, simple
-from vtkmodules.util.misc import calldata_type
-from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkInteractionWidgets import vtkImplicitPlaneRepresentation
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from plugin_testing import Checks, data_path, fetch, load_plugin
+from plugin_testing import data_path, fetch, run, warnings_of
 
 DATA = ("disk_out_ref.vtu", "post.vts", "bluntfin.vts", "AnalyticFlow")
 # Of one filter, in seconds of the processor: a machine that is busy must not fail. Two are meant.
@@ -27,17 +25,8 @@ def open_field(name):
 
 def update(proxy):
     """Updates a filter; its messages."""
-    messages = []
-
-    @calldata_type(VTK_STRING)
-    def keep(caller, event, text):
-        messages.append(text)
-
-    filter_object = proxy.GetClientSideObject()
-    tags = [filter_object.AddObserver(event, keep) for event in ("WarningEvent", "ErrorEvent")]
-    proxy.UpdatePipeline()
-    for tag in tags:
-        filter_object.RemoveObserver(tag)
+    with warnings_of(proxy, ("WarningEvent", "ErrorEvent")) as messages:
+        proxy.UpdatePipeline()
     return " ".join(messages)
 
 
@@ -190,9 +179,7 @@ def check_panels(checks, field, mapping, volume):
             checks.equal(view == "None", port > 0, f"{proxy.SMProxy.GetXMLName()}, output {port} in {view}")
 
 
-def main():
-    load_plugin()
-    checks = Checks()
+def main(checks):
     for name in DATA:
         source, field, mapping, volume = check_chain(checks, name)
         check_place(checks, name, source, field)
@@ -204,7 +191,6 @@ def main():
             field.SampleMode = "Image"
             field.SampleDimensions = [3, 3, 3]
             check_widgets(checks, name, source, field)
-    checks.finish()
 
 
-main()
+run(main)

@@ -7,7 +7,6 @@ another piece.
 Arguments: `write` or `compare`, and the file of what one process wrote.
 """
 
-import json
 import sys
 
 import numpy
@@ -15,7 +14,7 @@ from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from flow_testing import analytic_flow, flow_field, flow_volume, inflow_mapping
-from plugin_testing import Checks, extractions_path, fetch, load_plugin
+from plugin_testing import fetch, read_extractions, run
 from simplex_measures import simplices, sizes
 
 ARRAYS = ("FlowStatus", "TerminationId", "TerminationUV", "AdvectionTime", "Inflow")
@@ -26,8 +25,7 @@ CUTS = 4e-3  # of the same, with cells that are cut between two pieces; 2.4e-3 w
 
 def pipelines():
     """Name, mapping and volume of the extractions, and of the first on tetrahedra."""
-    with open(extractions_path("flow.json"), encoding="utf-8") as file:
-        extractions = json.load(file)
+    extractions = read_extractions("flow.json")
     for number, extraction in enumerate(extractions):
         kinds = ("grid", "tetrahedra") if number == 0 else ("grid",)
         for kind in kinds:
@@ -48,10 +46,8 @@ def rows(samples):
     return numpy.unique(numpy.where(numpy.isnan(table), -1e300, table), axis=0)
 
 
-def main():
+def main(checks):
     mode, path = sys.argv[1:]
-    load_plugin()
-    checks = Checks()
     ranks = servermanager.ActiveConnection.GetNumberOfDataPartitions()
     found = {}
     for name, mapping, volume in pipelines():
@@ -78,7 +74,6 @@ def main():
                 checks.close(found[name], expected[name], TOLERANCE if whole else CUTS, name)
             else:
                 checks.that(numpy.array_equal(found[name], expected[name]), f"{name}, samples")
-    checks.finish()
 
 
-main()
+run(main)

@@ -6,7 +6,6 @@ defaults a flow field is seen, of a formula as of a file; an image without array
 Argument: the folder for the pictures.
 """
 
-import json
 import sys
 
 from paraview import simple
@@ -14,7 +13,7 @@ from paraview import simple
 from flow_testing import analytic_flow, flow_field
 from plugin_pictures import (
     Comparison, image, load_texture, look_at, make_view, picture_path, plain_view, producer, set_light, share_shown, snapshot)
-from plugin_testing import Checks, extractions_path, load_plugin, open_file
+from plugin_testing import extractions_path, open_file, read_extractions, run
 
 REPRESENTATION = "Inflow Textures"
 # Largest and mean difference in steps of 1/255. Both round the same numbers, in other versions of VTK.
@@ -106,12 +105,8 @@ def check_errors(checks):
     simple.Delete(view)
 
 
-def main():
-    load_plugin()
-    checks = Checks()
-    with open(extractions_path("inflow_textures.json"), encoding="utf-8") as file:
-        pictures = json.load(file)
-    checks.that(len(pictures) > 1, "there are pictures to repeat")
+def main(checks):
+    pictures = read_extractions("inflow_textures.json")
     check_defaults(checks, pictures[0])
     check_file(checks)
     check_errors(checks)
@@ -120,7 +115,6 @@ def main():
         path = picture_path(sys.argv[1], "TestPluginInflowTextures", picture["name"])
         draw(picture, path)
         comparison.compare(picture["name"], path, BOUNDS)
-    checks.finish()
 
 
-main()
+run(main)

@@ -7,7 +7,7 @@ from paraview import simple
 
 from plugin_pictures import (
     VIEW_SIZE, add_array, color_by, coordinates, grid, image, plain_view, producer, share_shown, snapshot)
-from plugin_testing import Checks, interval_volume, load_plugin, open_file
+from plugin_testing import interval_volume, open_file, run
 
 SIDE = 13
 INTERVALS = 4
@@ -154,14 +154,11 @@ def check_opacity(checks):
         simple.Delete(view)
 
 
-def main():
-    load_plugin()
-    checks = Checks()
+def main(checks):
     check_ids(checks)
     check_filter(checks)
     check_constant(checks)
     check_opacity(checks)
-    checks.finish()
 
 
-main()
+run(main)

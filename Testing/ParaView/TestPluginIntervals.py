@@ -7,7 +7,7 @@ import tempfile
 
 from paraview import servermanager, simple
 
-from plugin_testing import Checks, fetch, interval_volume, load_plugin, open_data, warnings_of
+from plugin_testing import fetch, interval_volume, open_data, run, warnings_of
 
 
 def proposal(source, array):
@@ -150,9 +150,7 @@ def check_state(checks, source):
     checks.equal(fetch(loaded).GetNumberOfCells(), expected, "tetrahedra of a state")
 
 
-def main():
-    load_plugin()
-    checks = Checks()
+def main(checks):
     source = open_data("disk_out_ref")
     check_reset(checks, source)
     check_new_array(checks, source)
@@ -160,7 +158,6 @@ def main():
     check_said(checks, source)
     check_animation(checks, source)
     check_state(checks, source)
-    checks.finish()
 
 
-main()
+run(main)

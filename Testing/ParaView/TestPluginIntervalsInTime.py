@@ -6,7 +6,7 @@ import sys
 
 from paraview import servermanager, simple
 
-from plugin_testing import Checks, fetch, load_plugin, temporal_source
+from plugin_testing import fetch, run, temporal_source
 
 
 def times_of(simplex_slice):
@@ -95,9 +95,7 @@ def check_slice(checks, volume):
     checks.equal(follow.GetElement(0), 1, "what was switched on after the time stays on")
 
 
-def main():
-    load_plugin()
-    checks = Checks()
+def main(checks):
     check_proposal(checks, sys.argv[1])
     field = temporal_source("AnalyticField", {"Field": "Wave", "WholeExtent": [0, 15, 0, 7, 0, 7]})
     volume = simple.TimeVaryingIntervalVolume(Input=field)
@@ -106,7 +104,6 @@ def main():
     volume.UpdatePipeline()
     check_display(checks, volume)
     check_slice(checks, volume)
-    checks.finish()
 
 
-main()
+run(main)

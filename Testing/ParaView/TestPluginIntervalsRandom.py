@@ -7,7 +7,7 @@ import random
 import numpy
 from paraview import simple
 
-from plugin_testing import Checks, as_set, fetch, load_plugin, open_data, warnings_of
+from plugin_testing import as_set, fetch, open_data, run, warnings_of
 from simplex_measures import simplices
 
 STEPS = 60
@@ -18,9 +18,7 @@ def proposal(source, array):
     return [(lowest + highest) / 2, highest]
 
 
-def main():
-    load_plugin()
-    checks = Checks()
+def main(checks):
     chance = random.Random(16)
     whole = open_data("disk_out_ref")
     half = simple.Clip(Input=whole)
@@ -68,7 +66,6 @@ def main():
             numpy.array_equal(as_set(simplices(found)), as_set(simplices(wanted))))
         checks.that(same, f"tetrahedra after step {step}, {change}")
         simple.Delete(fresh)
-    checks.finish()
 
 
-main()
+run(main)

@@ -4,7 +4,7 @@
 import numpy
 from paraview import simple
 
-from plugin_testing import Checks, check_documentation, check_menu, fetch, load_plugin
+from plugin_testing import check_documentation, check_menu, fetch, run
 from simplex_measures import simplices, sizes
 
 
@@ -43,12 +43,9 @@ def check_grid(checks):
     checks.that(mesh.GetPointData().GetArray("RTData") is not None, "array of the grid")
 
 
-def main():
-    load_plugin()
-    checks = Checks()
+def main(checks):
     check_sphere(checks)
     check_grid(checks)
-    checks.finish()
 
 
-main()
+run(main)

@@ -1,13 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Both filters give inside ParaView what the C++ classes gave in the build of the VTK modules."""
 
-import json
-
 from paraview import simple
 
 from extraction_measures import compare
-from plugin_testing import (
-    Checks, extractions_path, fetch, interval_volume, load_plugin, open_data)
+from plugin_testing import fetch, interval_volume, open_data, read_extractions, run
 
 
 def repeat_intervals(checks, name, extraction):
@@ -25,12 +22,8 @@ def repeat_contours(checks, name, extraction):
     compare(checks, name, fetch(contour), extraction["output"], "ContourId")
 
 
-def main():
-    load_plugin()
-    checks = Checks()
-    with open(extractions_path("numbers.json"), encoding="utf-8") as file:
-        extractions = json.load(file)
-    checks.that(len(extractions) > 0, "there are extractions to repeat")
+def main(checks):
+    extractions = read_extractions("numbers.json")
     for number, extraction in enumerate(extractions):
         name = f"{number}: {extraction['filter']} of {extraction['data']}"
         print(name, flush=True)
@@ -38,7 +31,6 @@ def main():
             repeat_intervals(checks, name, extraction)
         else:
             repeat_contours(checks, name, extraction)
-    checks.finish()
 
 
-main()
+run(main)

@@ -9,7 +9,7 @@ from paraview import simple
 
 from plugin_pictures import (
     add_array, coordinates, grid, image, load_texture, look_at, plain_view, producer, snapshot)
-from plugin_testing import Checks, load_plugin
+from plugin_testing import run
 
 HIDDEN_VISIBILITIES = {"never", "multiblock_inspector"}
 # What is no part of the volume's picture, or chooses how fast it is drawn, or speaks of other data.
@@ -196,9 +196,7 @@ def check_control(checks, source, representation, name, value, first):
     simple.Delete(view)
 
 
-def main():
-    load_plugin()
-    checks = Checks()
+def main(checks):
     for representation, (make, values) in CASES.items():
         source = make_source(make)
         view = plain_view()
@@ -212,7 +210,6 @@ def main():
         checks.equal(sorted(set(values) - shown), [], f"{representation}, controls that are hidden")
         for name in sorted(shown & set(values) - TESTED_ELSEWHERE):
             check_control(checks, source, representation, name, *values[name])
-    checks.finish()
 
 
-main()
+run(main)

@@ -11,7 +11,7 @@ from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
-from plugin_testing import Checks, interval_volume, load_plugin, open_data
+from plugin_testing import interval_volume, open_data, run
 
 SIZE = [1000, 750]
 BACKGROUND = [0.93, 0.93, 0.94]
@@ -56,16 +56,13 @@ def pixels(path):
     return values[:, :3].astype(float) / 255
 
 
-def main():
-    load_plugin()
-    checks = Checks()
+def main(checks):
     draw(sys.argv[1])
     red, _, blue = pixels(sys.argv[1]).T
     for name, shown in (("cool", blue - red > 0.1), ("warm", red - blue > 0.1)):
         share = numpy.mean(shown)
         print(f"{name} share of the picture: {share:.3f}")
         checks.that(SMALLEST_SHARE < share < LARGEST_SHARE, f"the {name} interval is seen")
-    checks.finish()
 
 
-main()
+run(main)

@@ -15,8 +15,8 @@ from paraview import servermanager, simple
 
 from plugin_pictures import color_by, look_at, plain_view, share_shown, snapshot
 from plugin_testing import (
-    Checks, can_exchange_data, interval_volume, load_plugin, open_data, set_properties, temporal_source,
-    time_varying_volume, warnings_of)
+    can_exchange_data, interval_volume, open_data, run, set_properties, temporal_source, time_varying_volume,
+    warnings_of)
 
 REPRESENTATION = "Interval Volume"
 ORDERED = "Composite"
@@ -148,10 +148,8 @@ def compare(checks, name, shot, expected, are_layers=False):
     checks.that(beyond <= MOST_OF_LAYERS, f"{name}, pixels beyond {LARGEST}/255")
 
 
-def main():
+def main(checks):
     mode, path = sys.argv[1:]
-    load_plugin()
-    checks = Checks()
     ranks = servermanager.ActiveConnection.GetNumberOfDataPartitions()
     whole = numpy.load(path) if mode == "compare" else {}
     found = {}
@@ -179,7 +177,6 @@ def main():
             compare(checks, name, found[name], whole[name], True)
     if mode == "write":
         numpy.savez(path, **found)
-    checks.finish()
 
 
-main()
+run(main)

@@ -10,7 +10,7 @@ import numpy
 from paraview import simple
 
 from plugin_pictures import plain_view, snapshot
-from plugin_testing import Checks, load_plugin
+from plugin_testing import run
 
 WHITE = [1.0, 1.0, 1.0]
 LIGHTS = {"parallel": ("Directional", [3.0, 10.0, 6.0]), "point": ("Positional", [12.0, 40.0, 24.0]),
@@ -56,9 +56,7 @@ def show(source, view):
     return display
 
 
-def main():
-    load_plugin()
-    checks = Checks()
+def main(checks):
     source = simple.Wavelet()
     source.UpdatePipeline()
     turned = simple.ProgrammableFilter(Input=source, Script=TURN)
@@ -84,7 +82,6 @@ def main():
                   differences[1].max())
             checks.that(with_grid <= LARGEST_MEAN, f"{name}: {with_grid} with the grid")
             checks.that(with_grid <= LARGEST_SHARE * without, f"{name}: {with_grid} of {without}")
-    checks.finish()
 
 
-main()
+run(main)

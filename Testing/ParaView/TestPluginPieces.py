@@ -11,8 +11,7 @@ import sys
 import numpy
 from paraview import servermanager, simple
 
-from plugin_testing import (
-    Checks, as_set, fetch, interval_volume, load_plugin, open_data, temporal_source, time_varying_volume)
+from plugin_testing import as_set, fetch, interval_volume, open_data, run, temporal_source, time_varying_volume
 from simplex_measures import simplices
 
 FIELD = {"WholeExtent": [0, 23, 0, 19, 0, 19], "Bounds": [-0.5, 0.5, -0.4, 0.4, -0.4, 0.4]}
@@ -65,10 +64,8 @@ def check_balance(checks, name, volume, ranks):
     checks.that(0 < least <= most and 1.0 <= balance <= ranks, f"{name}: balance {balance}")
 
 
-def main():
+def main(checks):
     mode, path = sys.argv[1:]
-    load_plugin()
-    checks = Checks()
     found = {}
     ranks = servermanager.ActiveConnection.GetNumberOfDataPartitions()
     for name, volume, port in volumes(mode):
@@ -87,7 +84,6 @@ def main():
         for name, rows in found.items():
             missing, extra = differences(expected[name], rows)
             checks.equal((missing, extra), (0, 0), f"{name}: simplices missing and extra")
-    checks.finish()
 
 
-main()
+run(main)

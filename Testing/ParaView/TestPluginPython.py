@@ -6,7 +6,7 @@ import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from plugin_testing import Checks, fetch, interval_volume, load_plugin
+from plugin_testing import fetch, interval_volume, run
 
 SCRIPT = """
 from interlume import report, vtkIntervalVolume
@@ -27,9 +27,7 @@ def arrays(grid):
     return [vtk_to_numpy(part) for part in parts]
 
 
-def main():
-    load_plugin()
-    checks = Checks()
+def main(checks):
     wavelet = simple.Wavelet()
     own = simple.ProgrammableFilter(Input=wavelet, OutputDataSetType="vtkUnstructuredGrid", Script=SCRIPT)
     found = arrays(fetch(own))
@@ -38,7 +36,6 @@ def main():
     checks.that(len(found) == len(expected), "both have the same number of arrays")
     for number, (one, other) in enumerate(zip(found, expected)):
         checks.that(np.array_equal(one, other), f"array {number} is that of the plugin's filter")
-    checks.finish()
 
 
-main()
+run(main)

@@ -6,7 +6,6 @@ each has a piece of the data, and those pictures are compared that ordered compo
 they cannot send each other grids, one warning says so, and the pictures are as good.
 """
 
-import json
 import sys
 
 from paraview import servermanager, simple
@@ -14,7 +13,7 @@ from paraview import servermanager, simple
 from flow_testing import analytic_flow, flow_field, flow_volume, inflow_mapping
 from plugin_pictures import Comparison, make_view, picture_path, set_colors
 from plugin_testing import (
-    Checks, can_exchange_data, extractions_path, interval_volume, load_plugin, open_data, temporal_source,
+    can_exchange_data, interval_volume, open_data, read_extractions, run, temporal_source,
     time_varying_volume, warnings_of)
 
 REPRESENTATION = "Interval Volume"
@@ -101,12 +100,8 @@ def bounds(picture, distributed):
     return IN_TIME_BOUNDS if "source" in picture else WHOLE_BOUNDS
 
 
-def main():
-    load_plugin()
-    checks = Checks()
-    with open(extractions_path("representation.json"), encoding="utf-8") as file:
-        pictures = json.load(file)
-    checks.that(len(pictures) > 1, "there are pictures to repeat")
+def main(checks):
+    pictures = read_extractions("representation.json")
     distributed = sys.argv[2] == "distributed"
     said = []
     if distributed:
@@ -123,7 +118,6 @@ def main():
         checks.said(said, "cannot send each other grids", "all pictures")
     else:
         checks.equal(said, [], "warnings")
-    checks.finish()
 
 
-main()
+run(main)

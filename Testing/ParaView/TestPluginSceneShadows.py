@@ -11,7 +11,7 @@ import numpy
 from paraview import servermanager, simple
 
 from plugin_pictures import pixels, snapshot
-from plugin_testing import Checks, load_plugin
+from plugin_testing import run
 from shadow_scene import (
     BENEATH_PLATE, BENEATH_SMOKE, FLOOR, SLAB_TRANSMITTANCE, SMOKE, SMOKE_UNDER_PLATE, add_sun, brightness,
     dark_view, drawing_pass, make_sources, show_scene, show_slab)
@@ -188,9 +188,7 @@ def begin():
     return view, sources, show_scene(sources, view)
 
 
-def main():
-    load_plugin()
-    checks = Checks()
+def main(checks):
     view, sources, displays = begin()
     check_hard(checks, view, displays)
     check_view(checks, view, displays, sys.argv[1])
@@ -200,7 +198,6 @@ def main():
     simple.ResetSession()
     # A selection, cleared or not, is an error in a state of ParaView 6.
     check_selection(checks, *begin())
-    checks.finish()
 
 
-main()
+run(main)

@@ -6,13 +6,12 @@ Arguments: the folder for the pictures, and `whole`, or `distributed` in a run w
 where each has a piece of the image.
 """
 
-import json
 import sys
 
 from paraview import servermanager, simple
 
 from plugin_pictures import Comparison, load_texture, make_view, picture_path, set_colors, set_light
-from plugin_testing import Checks, extractions_path, load_plugin, open_data, temporal_source
+from plugin_testing import extractions_path, open_data, read_extractions, run, temporal_source
 
 REPRESENTATION = "Shadowed Slices"
 # Largest and mean difference in steps of 1/255. Both round the same numbers, in other versions of VTK.
@@ -179,13 +178,9 @@ def check_panel(checks):
     simple.Delete(view)
 
 
-def main():
-    load_plugin()
-    checks = Checks()
+def main(checks):
     distributed = sys.argv[2] == "distributed"
-    with open(extractions_path("shadowed_slices.json"), encoding="utf-8") as file:
-        pictures = json.load(file)
-    checks.that(len(pictures) > 1, "there are pictures to repeat")
+    pictures = read_extractions("shadowed_slices.json")
     if distributed:
         pictures = [picture for picture in pictures if picture["name"] == DISTRIBUTED_PICTURE]
     else:
@@ -196,7 +191,6 @@ def main():
         path = picture_path(sys.argv[1], f"TestPluginShadowedSlices-{sys.argv[2]}", picture["name"])
         draw(picture, path)
         comparison.compare(picture["name"], path, DISTRIBUTED_BOUNDS if distributed else WHOLE_BOUNDS)
-    checks.finish()
 
 
-main()
+run(main)

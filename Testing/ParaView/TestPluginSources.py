@@ -7,7 +7,7 @@ import numpy
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from plugin_testing import Checks, check_documentation, check_menu, fetch, load_plugin
+from plugin_testing import check_documentation, check_menu, fetch, run
 
 
 def check_times(checks, source):
@@ -92,9 +92,7 @@ def check_turbulence(checks):
     checks.that(numpy.array_equal(values_of(source, array), values[0]), "the turbulence comes back")
 
 
-def main():
-    load_plugin()
-    checks = Checks()
+def main(checks):
     field = simple.AnalyticField()
     cylinder = simple.TaperedCylinderWake()
     wing = simple.DeltaWingVortices()
@@ -116,7 +114,6 @@ def main():
     check_wave(checks, field)
     check_models(checks)
     check_turbulence(checks)
-    checks.finish()
 
 
-main()
+run(main)

@@ -8,7 +8,7 @@ import sys
 import numpy
 from paraview import servermanager, simple
 
-from plugin_testing import Checks, as_set, fetch, leaves, load_plugin, temporal_source
+from plugin_testing import as_set, fetch, leaves, run, temporal_source
 from simplex_measures import simplices
 
 KIND = "Interlume Slabs of Interval Volumes"
@@ -24,12 +24,10 @@ def all_simplices(parts):
     return as_set(numpy.concatenate([simplices(part) for part in parts]))
 
 
-def main():
+def main(checks):
     folder = sys.argv[1]
     shutil.rmtree(folder, ignore_errors=True)
     os.makedirs(folder)
-    load_plugin()
-    checks = Checks()
     field = temporal_source("AnalyticField", {"Field": "Wave", "WholeExtent": [0, 15, 0, 7, 0, 7]})
     checks.that(KIND in kinds_for(field), "Save Data offers slabs")
     spheres = simple.GroupDatasets(Input=[simple.Sphere(), simple.Sphere()])
@@ -54,7 +52,6 @@ def main():
         checks.that(whole.GetNumberOfCells() > 0, f"{name} gives tetrahedra")
         checks.that(numpy.array_equal(all_simplices(parts), all_simplices([whole])),
                     f"{name} has the filter's tetrahedra")
-    checks.finish()
 
 
-main()
+run(main)

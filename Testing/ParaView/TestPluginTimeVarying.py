@@ -2,15 +2,12 @@
 """Time-varying interval volumes and their slices inside ParaView are those that the C++ classes gave,
 also of a composite dataset, whatever time ParaView shows."""
 
-import json
-
 import numpy
 from paraview import simple
 
 from extraction_measures import compare
 from plugin_testing import (
-    Checks, as_set, extractions_path, fetch, leaves, load_plugin, output_in_place, temporal_source,
-    time_varying_volume)
+    as_set, fetch, leaves, output_in_place, read_extractions, run, temporal_source, time_varying_volume)
 from simplex_measures import simplices
 
 PORTS = (("tetrahedra", "SimplexClass"), ("boundaries", "BoundaryKind"), ("simplices", "TimeSlab"))
@@ -75,18 +72,14 @@ def check_composite(checks, extraction):
         checks.that(numpy.array_equal(found, expected), "the second of the group is as it is alone")
 
 
-def main():
-    load_plugin()
-    checks = Checks()
-    with open(extractions_path("time_varying.json"), encoding="utf-8") as file:
-        extractions = json.load(file)
+def main(checks):
+    extractions = read_extractions("time_varying.json")
     for number, extraction in enumerate(extractions):
         name = f"{number}: {extraction['source']}"
         print(name, flush=True)
         repeat(checks, name, extraction)
     check_time(checks, extractions[0])
     check_composite(checks, extractions[0])
-    checks.finish()
 
 
-main()
+run(main)

@@ -2,12 +2,12 @@
 """What the tests inside ParaView share: the plugin, the data, sets of simplices, checks."""
 
 import contextlib
+import json
 import os
 import sys
 
 import numpy
 from paraview import servermanager, simple
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkObject, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter
@@ -114,9 +114,9 @@ def fetch(proxy, port=0, rank=0):
 
 
 @contextlib.contextmanager
-def warnings_of(watched):
-    """The warnings of a VTK object, or of the filter of a proxy, while the block runs: a list of texts.
-    They are not printed."""
+def warnings_of(watched, events=("WarningEvent",)):
+    """The warnings, or other messages, of a VTK object, or of the filter of a proxy, while the block
+    runs: a list of texts. They are not printed."""
     if isinstance(watched, servermanager.Proxy):
         watched = watched.GetClientSideObject()
     said = []
@@ -125,11 +125,12 @@ def warnings_of(watched):
         said.append(text)
 
     note.CallDataType = "string0"
-    tag = watched.AddObserver("WarningEvent", note)
+    tags = [watched.AddObserver(event, note) for event in events]
     try:
         yield said
     finally:
-        watched.RemoveObserver(tag)
+        for tag in tags:
+            watched.RemoveObserver(tag)
 
 
 def output_in_place(proxy, port=0):
@@ -196,6 +197,22 @@ class Checks:
             sys.exit(1)
 
 
+def run(test):
+    """Loads the plugin and calls the test with checks, which end the script if some fail."""
+    load_plugin()
+    checks = Checks()
+    test(checks)
+    checks.finish()
+
+
+def read_extractions(name):
+    """The list of a JSON file in the folder that the programs in Extractions wrote."""
+    with open(extractions_path(name), encoding="utf-8") as file:
+        extractions = json.load(file)
+    assert len(extractions) > 1, "there are extractions to repeat"
+    return extractions
+
+
 def check_documentation(checks, proxy):
     """A proxy and each of its properties say what they are for."""
     name = proxy.SMProxy.GetXMLName()
@@ -216,3 +233,15 @@ def check_menu(checks, group, name):
     checks.that(menu and menu.GetAttribute("category") in menus, f"{name} is in a menu of Interlume")
     icon = menu and menu.GetAttribute("icon") or ""
     checks.that(icon.startswith(":/Interlume/"), f"{name} has an icon: {icon!r}")
+
+
+def check_inputs(checks, name, accepted):
+    """The filter of a name takes a source as its input, or does not: pairs of both."""
+    input_property = servermanager.ProxyManager().GetPrototypeProxy("filters", name).GetProperty("Input")
+    for source, expected in accepted:
+        source.UpdatePipeline()
+        input_property.RemoveAllUncheckedProxies()
+        input_property.AddUncheckedInputConnection(source.SMProxy, 0)
+        taken = bool(input_property.IsInDomains())
+        checks.equal(taken, expected, f"{name} takes {source.SMProxy.GetXMLName()}")
+    input_property.RemoveAllUncheckedProxies()
