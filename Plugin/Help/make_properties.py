@@ -45,9 +45,11 @@ def is_shown(element):
             and element.find("Documentation") is not None)
 
 
-def section(proxy, inherited):
+def section(proxy, inherited, proxies):
     own = {item.get("name") for item in proxy if item.get("name")}
     items = [item for item in inherited if item.get("name") not in own] + list(proxy)
+    for made in proxy.iterfind("SubProxy/Proxy"):
+        items += proxies[made.get("proxygroup"), made.get("proxyname")]
     rows = [f"| {label_of(item)} | {default_of(item)} | {words(item.find('Documentation'))} |"
             for item in items if is_shown(item)]
     if not rows:
@@ -72,7 +74,7 @@ def page(files):
         for (owner, _), proxy in proxies.items():
             base = proxies.get((proxy.get("base_proxygroup"), proxy.get("base_proxyname")), ())
             if owner == group and proxy.tag != "Extension" and "Widget" not in proxy.get("name"):
-                lines += section(proxy, base)
+                lines += section(proxy, base, proxies)
     return "\n".join(lines) + "\n"
 
 

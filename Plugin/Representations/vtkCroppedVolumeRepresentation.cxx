@@ -2,8 +2,13 @@
 #include "vtkCroppedVolumeRepresentation.h"
 
 #include "vtkCommunicator.h"
+#include "vtkDataObject.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVView.h"
 #include "vtkVolumeMapper.h"
@@ -46,6 +51,25 @@ void vtkCroppedVolumeRepresentation::GatherBounds()
     controller->AllReduce(own.GetMaxPoint(), upper, 3, vtkCommunicator::MAX_OP);
     this->WholeBounds.SetBounds(lower[0], upper[0], lower[1], upper[1], lower[2], upper[2]);
   }
+}
+
+vtkDataObject* vtkCroppedVolumeRepresentation::GetInput(vtkInformationVector** inputVector)
+{
+  return inputVector[0]->GetNumberOfInformationObjects() == 1
+    ? vtkDataObject::GetData(inputVector[0], 0)
+    : nullptr;
+}
+
+int vtkCroppedVolumeRepresentation::RequestDataOf(vtkImageData* image, vtkInformation* request,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkNew<vtkInformation> information;
+  information->Copy(inputVector[0]->GetInformationObject(0));
+  information->Set(vtkDataObject::DATA_OBJECT(), image);
+  vtkNew<vtkInformationVector> imageVector;
+  imageVector->Append(information);
+  vtkInformationVector* imageVectors[] = { imageVector };
+  return this->Superclass::RequestData(request, imageVectors, outputVector);
 }
 
 void vtkCroppedVolumeRepresentation::UpdateMapperParameters()

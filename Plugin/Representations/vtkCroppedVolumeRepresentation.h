@@ -33,6 +33,12 @@ protected:
 
   void UpdateMapperParameters() override;
 
+  /// Returns the input of a request; null in processes that only show the outline.
+  static vtkDataObject* GetInput(vtkInformationVector** inputVector);
+  /// Executes the request of the superclass with \a image in place of the input.
+  int RequestDataOf(vtkImageData* image, vtkInformation* request,
+    vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+
 private:
   vtkCroppedVolumeRepresentation(const vtkCroppedVolumeRepresentation&) = delete;
   void operator=(const vtkCroppedVolumeRepresentation&) = delete;

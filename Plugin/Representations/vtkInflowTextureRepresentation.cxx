@@ -5,8 +5,6 @@
 
 #include "vtkImageData.h"
 #include "vtkImplicitFlowVolumeMapper.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODVolume.h"
 #include "vtkPiecewiseFunction.h"
@@ -20,11 +18,17 @@ vtkStandardNewMacro(vtkInflowTextureRepresentation);
 
 vtkInflowTextureRepresentation::vtkInflowTextureRepresentation()
 {
-  this->VolumeMapper = this->Mapper;
+  this->SetMapper(vtkNew<vtkImplicitFlowVolumeMapper>());
   this->SetOpacityRange(0.0, 1.0);
 }
 
 vtkInflowTextureRepresentation::~vtkInflowTextureRepresentation() = default;
+
+void vtkInflowTextureRepresentation::SetMapper(vtkImplicitFlowVolumeMapper* mapper)
+{
+  this->Mapper = mapper;
+  this->VolumeMapper = mapper;
+}
 
 void vtkInflowTextureRepresentation::SetInflowTexture(vtkTexture* texture)
 {
@@ -91,68 +95,10 @@ void vtkInflowTextureRepresentation::SelectShadingArray(int, int, int, int, cons
   this->Mapper->SetShadingArray(name);
 }
 
-void vtkInflowTextureRepresentation::SetShadows(bool shadows)
-{
-  this->Mapper->SetShadows(shadows);
-}
-
-void vtkInflowTextureRepresentation::SetLightBufferSize(int size)
-{
-  this->Mapper->SetLightBufferSize(size);
-}
-
-void vtkInflowTextureRepresentation::SetDetailMode(int mode)
-{
-  this->Mapper->SetDetailMode(mode);
-}
-
-void vtkInflowTextureRepresentation::SetDetailScale(double u, double v, double time)
-{
-  this->Mapper->SetDetailScale(u, v, time);
-}
-
-void vtkInflowTextureRepresentation::SetTimeGateTarget(int target)
-{
-  this->Mapper->SetTimeGateTarget(target);
-}
-
-void vtkInflowTextureRepresentation::SetTimePeriod(double period)
-{
-  this->Mapper->SetTimePeriod(period);
-}
-
-void vtkInflowTextureRepresentation::SetTimePhase(double phase)
-{
-  this->Mapper->SetTimePhase(phase);
-}
-
-void vtkInflowTextureRepresentation::SetPaintFilter(bool filter)
-{
-  this->Mapper->SetPaintFilter(filter);
-}
-
-void vtkInflowTextureRepresentation::SetMaximumPaintSamples(int number)
-{
-  this->Mapper->SetMaximumPaintSamples(number);
-}
-
-void vtkInflowTextureRepresentation::SetSampleDistance(double distance)
-{
-  this->Mapper->SetSampleDistance(distance);
-}
-
-void vtkInflowTextureRepresentation::SetImageSampleDistance(double distance)
-{
-  this->Mapper->SetImageSampleDistance(distance);
-}
-
 int vtkInflowTextureRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // Processes that only show the outline have no input.
-  vtkDataObject* input = inputVector[0]->GetNumberOfInformationObjects() == 1
-    ? vtkDataObject::GetData(inputVector[0], 0)
-    : nullptr;
+  vtkDataObject* input = GetInput(inputVector);
   auto* image = vtkImageData::SafeDownCast(input);
   if (image && image->GetPointData()->GetNumberOfArrays() == 0)
   {
@@ -165,14 +111,7 @@ int vtkInflowTextureRepresentation::RequestData(
   }
   vtkErrorMacro("Inflow Textures draws images; the input is a "
     << input->GetClassName() << ". Choose Image for the Sample Mode of the implicit flow field.");
-  vtkNew<vtkImageData> nothing;
-  vtkNew<vtkInformation> information;
-  information->Copy(inputVector[0]->GetInformationObject(0));
-  information->Set(vtkDataObject::DATA_OBJECT(), nothing);
-  vtkNew<vtkInformationVector> nothingVector;
-  nothingVector->Append(information);
-  vtkInformationVector* nothingVectors[] = { nothingVector };
-  return this->Superclass::RequestData(request, nothingVectors, outputVector);
+  return this->RequestDataOf(vtkNew<vtkImageData>(), request, inputVector, outputVector);
 }
 
 void vtkInflowTextureRepresentation::UpdateMapperParameters()

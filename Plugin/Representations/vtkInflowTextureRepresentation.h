@@ -4,8 +4,8 @@
 
 #include "InterlumeRepresentationsModule.h" // for the export macro
 #include "vtkCroppedVolumeRepresentation.h"
-#include "vtkNew.h"          // for the mapper
-#include "vtkSmartPointer.h" // for textures
+#include "vtkNew.h"          // for functions
+#include "vtkSmartPointer.h" // for the mapper and textures
 
 #include <string> // for the array
 
@@ -32,6 +32,12 @@ public:
   static vtkInflowTextureRepresentation* New();
   vtkTypeMacro(vtkInflowTextureRepresentation, vtkCroppedVolumeRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Sets the mapper, before the representation is in a view. ParaView sets its own values on it.
+   * Default a new one.
+   */
+  void SetMapper(vtkImplicitFlowVolumeMapper* mapper);
 
   ///@{
   /**
@@ -72,23 +78,6 @@ public:
   /// The array that shades where Shade is on; the first four numbers have no meaning. Default none.
   void SelectShadingArray(int, int, int, int, const char* name);
 
-  ///@{
-  /**
-   * Pass their values on to the mapper, with its defaults.
-   */
-  void SetShadows(bool shadows);
-  void SetLightBufferSize(int size);
-  void SetDetailMode(int mode);
-  void SetDetailScale(double u, double v, double time);
-  void SetTimeGateTarget(int target);
-  void SetTimePeriod(double period);
-  void SetTimePhase(double phase);
-  void SetPaintFilter(bool filter);
-  void SetMaximumPaintSamples(int number);
-  void SetSampleDistance(double distance);
-  void SetImageSampleDistance(double distance);
-  ///@}
-
 protected:
   vtkInflowTextureRepresentation();
   ~vtkInflowTextureRepresentation() override;
@@ -101,7 +90,7 @@ private:
   vtkInflowTextureRepresentation(const vtkInflowTextureRepresentation&) = delete;
   void operator=(const vtkInflowTextureRepresentation&) = delete;
 
-  vtkNew<vtkImplicitFlowVolumeMapper> Mapper;
+  vtkSmartPointer<vtkImplicitFlowVolumeMapper> Mapper;
   vtkNew<vtkPiecewiseFunction> Gate;
   vtkNew<vtkPiecewiseFunction> Opacity;
   bool UseOpacityArray = false;

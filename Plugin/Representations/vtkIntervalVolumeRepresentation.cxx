@@ -44,7 +44,7 @@ vtkIntervalVolumeRepresentation::vtkIntervalVolumeRepresentation()
   : Functions(std::make_unique<vtkVolumeFunctions>())
   , Constant(std::make_unique<vtkConstantScalars>())
 {
-  this->AddVolumeMapper(MAPPER_NAME, this->Mapper);
+  this->SetMapper(vtkNew<vtkTimeWeightedTetrahedraMapper>());
   this->vtkUnstructuredGridVolumeRepresentation::SetActiveVolumeMapper(MAPPER_NAME);
 }
 
@@ -54,6 +54,12 @@ vtkIntervalVolumeRepresentation::~vtkIntervalVolumeRepresentation()
   {
     this->ViewRenderer->RemoveObserver(this->Observer);
   }
+}
+
+void vtkIntervalVolumeRepresentation::SetMapper(vtkTimeWeightedTetrahedraMapper* mapper)
+{
+  this->Mapper = mapper;
+  this->AddVolumeMapper(MAPPER_NAME, mapper);
 }
 
 bool vtkIntervalVolumeRepresentation::AddToView(vtkView* view)
@@ -104,46 +110,6 @@ void vtkIntervalVolumeRepresentation::SetOpacity(double opacity)
 void vtkIntervalVolumeRepresentation::SetSolidColor(double red, double green, double blue)
 {
   this->Functions->SetSolidColor(red, green, blue);
-}
-
-void vtkIntervalVolumeRepresentation::SetBlendMode(int mode)
-{
-  this->Mapper->SetBlendMode(mode);
-}
-
-void vtkIntervalVolumeRepresentation::SetIntegrationMode(int mode)
-{
-  this->Mapper->SetIntegrationMode(mode);
-}
-
-void vtkIntervalVolumeRepresentation::SetSortMode(int mode)
-{
-  this->Mapper->SetSortMode(mode);
-}
-
-void vtkIntervalVolumeRepresentation::SetRenderPath(int path)
-{
-  this->Mapper->SetRenderPath(path);
-}
-
-void vtkIntervalVolumeRepresentation::SetAutoAdjustLevelOfDetail(bool adjust)
-{
-  this->Mapper->SetAutoAdjustLevelOfDetail(adjust);
-}
-
-void vtkIntervalVolumeRepresentation::SetLayerArrayName(const char* name)
-{
-  this->Mapper->SetLayerArrayName(name);
-}
-
-void vtkIntervalVolumeRepresentation::AddLayerPriority(int layer, double priority)
-{
-  this->Mapper->SetLayerPriority(layer, priority);
-}
-
-void vtkIntervalVolumeRepresentation::RemoveAllLayerPriorities()
-{
-  this->Mapper->RemoveAllLayerPriorities();
 }
 
 void vtkIntervalVolumeRepresentation::SetDeltaTArrayName(const char* name)

@@ -3,7 +3,8 @@
 #define vtkIntervalVolumeRepresentation_h
 
 #include "InterlumeRepresentationsModule.h" // for the export macro
-#include "vtkNew.h"                         // for the mapper
+#include "vtkNew.h"                         // for the collection
+#include "vtkSmartPointer.h"                // for the mapper
 #include "vtkUnstructuredGridVolumeRepresentation.h"
 #include "vtkWeakPointer.h" // for the renderer
 
@@ -27,7 +28,7 @@ class vtkVolumeFunctions;
  * into tetrahedra. Colour and opacity are ParaView's: the array to colour by, of points or cells,
  * with its colour and opacity functions, and the unit distance of the opacity. Without an array to
  * colour by, or where the data lack it, the solid colour is drawn with one opacity (see
- * vtkVolumeFunctions). The other setters are those of the mapper, with its defaults.
+ * vtkVolumeFunctions).
  *
  * With several processes the blend modes that need no order make one picture of all pieces,
  * wherever these are (see vtkTimeWeightedTetrahedraMapper::GatherPieces), the same as with one
@@ -62,19 +63,11 @@ public:
    */
   void SetSolidColor(double red, double green, double blue);
 
-  ///@{
   /**
-   * Pass their values on to the mapper.
+   * Sets the mapper, before the representation is in a view. ParaView sets its own values on it.
+   * Default a new one.
    */
-  void SetBlendMode(int mode);
-  void SetIntegrationMode(int mode);
-  void SetSortMode(int mode);
-  void SetRenderPath(int path);
-  void SetAutoAdjustLevelOfDetail(bool adjust);
-  void SetLayerArrayName(const char* name);
-  void AddLayerPriority(int layer, double priority);
-  void RemoveAllLayerPriorities();
-  ///@}
+  void SetMapper(vtkTimeWeightedTetrahedraMapper* mapper);
 
   /**
    * The name of the point array with the extent in time. `DeltaT`, the default: that array where
@@ -114,7 +107,7 @@ private:
   /// Comes before each picture.
   void StartPicture();
 
-  vtkNew<vtkTimeWeightedTetrahedraMapper> Mapper;
+  vtkSmartPointer<vtkTimeWeightedTetrahedraMapper> Mapper;
   vtkNew<vtkTrivialProducer> Collection;
   vtkWeakPointer<vtkRenderer> ViewRenderer;
   unsigned long Observer = 0;

@@ -6,6 +6,7 @@
 #include "vtkTextureImage.h"
 
 #include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
 #include "vtkTexture.h"
@@ -19,133 +20,66 @@ constexpr double NoCone = 180.0;
 }
 
 vtkLitVolumeRepresentation::vtkLitVolumeRepresentation()
+  : ProjectiveLight(vtkSmartPointer<vtkProjectiveLight>::New())
 {
-  this->Lamp->SetConeAngle(NoCone);
-  this->UpdateLights();
+  this->SetAreaLight(vtkNew<vtkAreaLight>());
 }
 
 vtkLitVolumeRepresentation::~vtkLitVolumeRepresentation() = default;
 
-void vtkLitVolumeRepresentation::SetProjectiveLight(bool shines)
+void vtkLitVolumeRepresentation::SetProjectiveLight(vtkProjectiveLight* light)
 {
-  this->ProjectorShines = shines;
+  this->ProjectiveLight = light;
   this->UpdateLights();
 }
 
-void vtkLitVolumeRepresentation::SetProjectiveLightPositional(bool positional)
+void vtkLitVolumeRepresentation::SetAreaLight(vtkAreaLight* light)
 {
-  this->Projector->SetPositional(positional);
+  this->AreaLight = light;
+  this->AreaLight->SetConeAngle(NoCone);
+  this->UpdateLights();
 }
 
-void vtkLitVolumeRepresentation::SetProjectiveLightPosition(double x, double y, double z)
+void vtkLitVolumeRepresentation::SetProjectiveLightSwitch(bool shines)
 {
-  this->Projector->SetPosition(x, y, z);
+  this->ProjectiveLightSwitch = shines;
+  this->UpdateLights();
 }
 
-void vtkLitVolumeRepresentation::SetProjectiveLightFocalPoint(double x, double y, double z)
+void vtkLitVolumeRepresentation::SetAreaLightSwitch(bool shines)
 {
-  this->Projector->SetFocalPoint(x, y, z);
-}
-
-void vtkLitVolumeRepresentation::SetProjectiveLightViewUp(double x, double y, double z)
-{
-  this->Projector->SetViewUp(x, y, z);
+  this->AreaLightSwitch = shines;
+  this->UpdateLights();
 }
 
 void vtkLitVolumeRepresentation::SetProjectiveLightScreenWidth(double width)
 {
-  this->Projector->SetScreenSize(width, this->Projector->GetScreenSize()[1]);
+  this->ProjectiveLight->SetScreenSize(width, this->ProjectiveLight->GetScreenSize()[1]);
 }
 
 void vtkLitVolumeRepresentation::SetProjectiveLightScreenHeight(double height)
 {
-  this->Projector->SetScreenSize(this->Projector->GetScreenSize()[0], height);
-}
-
-void vtkLitVolumeRepresentation::SetProjectiveLightEdgeWidth(double width)
-{
-  this->Projector->SetEdgeWidth(width);
-}
-
-void vtkLitVolumeRepresentation::SetProjectiveLightColor(double red, double green, double blue)
-{
-  this->Projector->SetColor(red, green, blue);
-}
-
-void vtkLitVolumeRepresentation::SetProjectiveLightIntensity(double intensity)
-{
-  this->Projector->SetIntensity(intensity);
+  this->ProjectiveLight->SetScreenSize(this->ProjectiveLight->GetScreenSize()[0], height);
 }
 
 void vtkLitVolumeRepresentation::SetProjectiveLightImage(vtkTexture* texture)
 {
-  this->ProjectorImage = texture;
-}
-
-void vtkLitVolumeRepresentation::SetProjectiveLightShadows(bool shadows)
-{
-  this->Projector->SetShadowAttenuation(shadows ? 1.0f : 0.0f);
-}
-
-void vtkLitVolumeRepresentation::SetAreaLight(bool shines)
-{
-  this->LampShines = shines;
-  this->UpdateLights();
-}
-
-void vtkLitVolumeRepresentation::SetAreaLightPositional(bool positional)
-{
-  this->Lamp->SetPositional(positional);
-}
-
-void vtkLitVolumeRepresentation::SetAreaLightShape(int shape)
-{
-  this->Lamp->SetShape(shape);
-}
-
-void vtkLitVolumeRepresentation::SetAreaLightPosition(double x, double y, double z)
-{
-  this->Lamp->SetPosition(x, y, z);
-}
-
-void vtkLitVolumeRepresentation::SetAreaLightFocalPoint(double x, double y, double z)
-{
-  this->Lamp->SetFocalPoint(x, y, z);
-}
-
-void vtkLitVolumeRepresentation::SetAreaLightViewUp(double x, double y, double z)
-{
-  this->Lamp->SetViewUp(x, y, z);
+  this->ProjectiveLightImage = texture;
 }
 
 void vtkLitVolumeRepresentation::SetAreaLightWidth(double width)
 {
-  this->Lamp->SetSize(width, this->Lamp->GetSize()[1]);
+  this->AreaLight->SetSize(width, this->AreaLight->GetSize()[1]);
 }
 
 void vtkLitVolumeRepresentation::SetAreaLightHeight(double height)
 {
-  this->Lamp->SetSize(this->Lamp->GetSize()[0], height);
-}
-
-void vtkLitVolumeRepresentation::SetAreaLightColor(double red, double green, double blue)
-{
-  this->Lamp->SetColor(red, green, blue);
-}
-
-void vtkLitVolumeRepresentation::SetAreaLightIntensity(double intensity)
-{
-  this->Lamp->SetIntensity(intensity);
+  this->AreaLight->SetSize(this->AreaLight->GetSize()[0], height);
 }
 
 void vtkLitVolumeRepresentation::SetAreaLightImage(vtkTexture* texture)
 {
-  this->LampImage = texture;
-}
-
-void vtkLitVolumeRepresentation::SetAreaLightShadows(bool shadows)
-{
-  this->Lamp->SetShadowAttenuation(shadows ? 1.0f : 0.0f);
+  this->AreaLightImage = texture;
 }
 
 void vtkLitVolumeRepresentation::SetVisibility(bool visible)
@@ -156,8 +90,8 @@ void vtkLitVolumeRepresentation::SetVisibility(bool visible)
 
 void vtkLitVolumeRepresentation::UpdateLights()
 {
-  this->Projector->SetSwitch(this->ProjectorShines && this->GetVisibility());
-  this->Lamp->SetSwitch(this->LampShines && this->GetVisibility());
+  this->ProjectiveLight->SetSwitch(this->ProjectiveLightSwitch && this->GetVisibility());
+  this->AreaLight->SetSwitch(this->AreaLightSwitch && this->GetVisibility());
 }
 
 bool vtkLitVolumeRepresentation::AddToView(vtkView* view)
@@ -167,8 +101,8 @@ bool vtkLitVolumeRepresentation::AddToView(vtkView* view)
     return false;
   }
   auto* renderView = vtkPVRenderView::SafeDownCast(view);
-  renderView->AddLight(this->Projector);
-  renderView->AddLight(this->Lamp);
+  renderView->AddLight(this->ProjectiveLight);
+  renderView->AddLight(this->AreaLight);
   return true;
 }
 
@@ -176,8 +110,8 @@ bool vtkLitVolumeRepresentation::RemoveFromView(vtkView* view)
 {
   if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
   {
-    renderView->RemoveLight(this->Projector);
-    renderView->RemoveLight(this->Lamp);
+    renderView->RemoveLight(this->ProjectiveLight);
+    renderView->RemoveLight(this->AreaLight);
   }
   return this->Superclass::RemoveFromView(view);
 }
@@ -185,15 +119,15 @@ bool vtkLitVolumeRepresentation::RemoveFromView(vtkView* view)
 void vtkLitVolumeRepresentation::UpdateMapperParameters()
 {
   this->Superclass::UpdateMapperParameters();
-  this->Projector->SetImage(vtkTextureImage(this->ProjectorImage));
-  this->Lamp->SetEmitter(vtkTextureImage(this->LampImage));
+  this->ProjectiveLight->SetImage(vtkTextureImage(this->ProjectiveLightImage));
+  this->AreaLight->SetEmitter(vtkTextureImage(this->AreaLightImage));
 }
 
 void vtkLitVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "ProjectiveLight: " << this->ProjectorShines << "\n";
-  this->Projector->PrintSelf(os, indent.GetNextIndent());
-  os << indent << "AreaLight: " << this->LampShines << "\n";
-  this->Lamp->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "ProjectiveLight: " << this->ProjectiveLightSwitch << "\n";
+  this->ProjectiveLight->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "AreaLight: " << this->AreaLightSwitch << "\n";
+  this->AreaLight->PrintSelf(os, indent.GetNextIndent());
 }

@@ -4,8 +4,7 @@
 
 #include "InterlumeRepresentationsModule.h" // for the export macro
 #include "vtkCroppedVolumeRepresentation.h"
-#include "vtkNew.h"          // for the lights
-#include "vtkSmartPointer.h" // for the textures
+#include "vtkSmartPointer.h" // for the lights and textures
 
 class vtkAreaLight;
 class vtkProjectiveLight;
@@ -32,57 +31,39 @@ public:
 
   ///@{
   /**
-   * Whether the projective light shines (default off), and the values that are passed on to it.
+   * Set the lights, before the representation is in a view. ParaView sets its own values on them,
+   * except those that follow. Default new ones. The area light has no cone.
    */
-  void SetProjectiveLight(bool shines);
-  void SetProjectiveLightPositional(bool positional);
-  void SetProjectiveLightPosition(double x, double y, double z);
-  void SetProjectiveLightFocalPoint(double x, double y, double z);
-  void SetProjectiveLightViewUp(double x, double y, double z);
-  void SetProjectiveLightScreenWidth(double width);
-  void SetProjectiveLightScreenHeight(double height);
-  void SetProjectiveLightEdgeWidth(double width);
-  void SetProjectiveLightColor(double red, double green, double blue);
-  void SetProjectiveLightIntensity(double intensity);
+  void SetProjectiveLight(vtkProjectiveLight* light);
+  void SetAreaLight(vtkAreaLight* light);
   ///@}
-
-  /**
-   * The texture whose image is on the screen of the projective light. Default null: all light
-   * passes.
-   */
-  void SetProjectiveLightImage(vtkTexture* texture);
-
-  /**
-   * Whether the projective light casts shadows, if it is among the brightest. Default on.
-   */
-  void SetProjectiveLightShadows(bool shadows);
 
   ///@{
   /**
-   * Whether the area light shines (default off), and the values that are passed on to it. A
-   * positional one shines to all sides.
+   * Set whether the lights shine. Default off.
    */
-  void SetAreaLight(bool shines);
-  void SetAreaLightPositional(bool positional);
-  void SetAreaLightShape(int shape);
-  void SetAreaLightPosition(double x, double y, double z);
-  void SetAreaLightFocalPoint(double x, double y, double z);
-  void SetAreaLightViewUp(double x, double y, double z);
-  void SetAreaLightWidth(double width);
-  void SetAreaLightHeight(double height);
-  void SetAreaLightColor(double red, double green, double blue);
-  void SetAreaLightIntensity(double intensity);
+  void SetProjectiveLightSwitch(bool shines);
+  void SetAreaLightSwitch(bool shines);
   ///@}
 
+  ///@{
   /**
-   * The texture whose image is the emitter of the area light. Default null: uniform and white.
+   * Set the size of the projective light's screen and of the area light.
    */
-  void SetAreaLightImage(vtkTexture* texture);
+  void SetProjectiveLightScreenWidth(double width);
+  void SetProjectiveLightScreenHeight(double height);
+  void SetAreaLightWidth(double width);
+  void SetAreaLightHeight(double height);
+  ///@}
 
+  ///@{
   /**
-   * Whether the area light casts shadows, if it is among the brightest. Default on.
+   * Set the textures whose images are on the projective light's screen and the area light's
+   * emitter. Default null: all light passes, and the emitter is uniform and white.
    */
-  void SetAreaLightShadows(bool shadows);
+  void SetProjectiveLightImage(vtkTexture* texture);
+  void SetAreaLightImage(vtkTexture* texture);
+  ///@}
 
   void SetVisibility(bool visible) override;
 
@@ -101,12 +82,12 @@ private:
   /// Switches the lights.
   void UpdateLights();
 
-  vtkNew<vtkProjectiveLight> Projector;
-  vtkNew<vtkAreaLight> Lamp;
-  vtkSmartPointer<vtkTexture> ProjectorImage;
-  vtkSmartPointer<vtkTexture> LampImage;
-  bool ProjectorShines = false;
-  bool LampShines = false;
+  vtkSmartPointer<vtkProjectiveLight> ProjectiveLight;
+  vtkSmartPointer<vtkAreaLight> AreaLight;
+  vtkSmartPointer<vtkTexture> ProjectiveLightImage;
+  vtkSmartPointer<vtkTexture> AreaLightImage;
+  bool ProjectiveLightSwitch = false;
+  bool AreaLightSwitch = false;
 };
 
 #endif

@@ -2,11 +2,12 @@
 #ifndef vtkPieceSliceMapper_h
 #define vtkPieceSliceMapper_h
 
-#include "vtkPieceLight.h"
+#include "InterlumeRepresentationsModule.h" // for the export macro
+#include "vtkPieceLight.h"                  // for the lights
 #include "vtkShadowedSliceMapper.h"
 
-#include <map>
-#include <memory>
+#include <map>    // for the lights
+#include <memory> // for the grid
 
 class vtkMatterGrid;
 class vtkMultiProcessController;
@@ -19,7 +20,7 @@ class vtkVolumeProperty;
  * While the piece is drawn, each light that casts shadows is replaced by its vtkPieceLight. Without
  * GatherPieces, and where other processes have no matter, it draws as its superclass does.
  */
-class vtkPieceSliceMapper : public vtkShadowedSliceMapper
+class INTERLUMEREPRESENTATIONS_EXPORT vtkPieceSliceMapper : public vtkShadowedSliceMapper
 {
 public:
   static vtkPieceSliceMapper* New();

@@ -1,15 +1,99 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMDisplayedVolumeRepresentationProxy.h"
 
-#include "vtkPanelHints.h"
-
 #include "vtkCommand.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMProperty.h"
+#include "vtkSMPropertyGroup.h"
+
+#include <cstring>
+#include <iterator>
+#include <set>
+#include <sstream>
 
 vtkStandardNewMacro(vtkSMDisplayedVolumeRepresentationProxy);
+
+namespace
+{
+/// Adds a decorator that hides \a item, a property or a group, for the type. All of an item's
+/// decorators must agree to show it. The hints of others, which it may share, stay as they are.
+template <typename Item>
+void HideItem(Item* item, const char* type)
+{
+  vtkNew<vtkPVXMLElement> hints;
+  hints->SetName("Hints");
+  if (item->GetHints())
+  {
+    item->GetHints()->CopyAttributesTo(hints);
+    for (unsigned int i = 0; i < item->GetHints()->GetNumberOfNestedElements(); ++i)
+    {
+      hints->AddNestedElement(item->GetHints()->GetNestedElement(i), 0);
+    }
+  }
+  vtkNew<vtkPVXMLElement> decorator;
+  decorator->SetName("PropertyWidgetDecorator");
+  decorator->AddAttribute("type", "GenericDecorator");
+  decorator->AddAttribute("mode", "visibility");
+  decorator->AddAttribute("property", "Representation");
+  decorator->AddAttribute("value", type);
+  decorator->AddAttribute("inverse", "1");
+  hints->AddNestedElement(decorator);
+  item->SetHints(hints);
+}
+
+/// Hides the properties of a group but those whose names are in \a kept.
+void HideGroup(vtkSMPropertyGroup* group, const char* type, const char* kept)
+{
+  std::istringstream names(kept);
+  const std::set<std::string> exceptions{ std::istream_iterator<std::string>(names), {} };
+  if (exceptions.empty())
+  {
+    HideItem(group, type);
+    return;
+  }
+  for (unsigned int i = 0; i < group->GetNumberOfProperties(); ++i)
+  {
+    if (exceptions.count(group->GetPropertyName(i)) == 0)
+    {
+      HideItem(group->GetProperty(i), type);
+    }
+  }
+}
+
+/// Hides for \a type of \a display what \a hidden names in nested elements: `Property` by `name`;
+/// `Group` by `label`, without the properties that its `except` names. For other types, and in
+/// other displays, everything remains unchanged.
+void HideParts(vtkSMProxy* display, const char* type, vtkPVXMLElement* hidden)
+{
+  for (unsigned int i = 0; i < hidden->GetNumberOfNestedElements(); ++i)
+  {
+    vtkPVXMLElement* element = hidden->GetNestedElement(i);
+    const std::string kind = element->GetName();
+    if (kind == "Property")
+    {
+      if (vtkSMProperty* property = display->GetProperty(element->GetAttributeOrEmpty("name")))
+      {
+        HideItem(property, type);
+      }
+    }
+    else if (kind == "Group")
+    {
+      for (std::size_t g = 0; g < display->GetNumberOfPropertyGroups(); ++g)
+      {
+        vtkSMPropertyGroup* group = display->GetPropertyGroup(g);
+        if (group->GetXMLLabel() &&
+          std::strcmp(group->GetXMLLabel(), element->GetAttributeOrEmpty("label")) == 0)
+        {
+          HideGroup(group, type, element->GetAttributeOrEmpty("except"));
+        }
+      }
+    }
+  }
+}
+}
 
 vtkSMDisplayedVolumeRepresentationProxy::vtkSMDisplayedVolumeRepresentationProxy() = default;
 
@@ -29,7 +113,7 @@ void vtkSMDisplayedVolumeRepresentationProxy::CreateVTKObjects()
   this->Type = volume->GetAttributeOrEmpty("type");
   if (vtkPVXMLElement* hidden = this->GetHints()->FindNestedElementByName("Hidden"))
   {
-    vtkPanelHints::Hide(display, this->Type.c_str(), hidden);
+    HideParts(display, this->Type.c_str(), hidden);
   }
   display->AddObserver(
     vtkCommand::UpdateEvent, this, &vtkSMDisplayedVolumeRepresentationProxy::DisplayChanged);

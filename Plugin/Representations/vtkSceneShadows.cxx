@@ -3,6 +3,7 @@
 
 #include "vtkDrawingPass.h"
 #include "vtkShadowedScenePass.h"
+#include "vtkShadowedSliceMapper.h"
 
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
@@ -76,11 +77,11 @@ void vtkSceneShadows::RemoveWish(const void* owner)
 void vtkSceneShadows::Arrange()
 {
   Wish most;
+  int number = 0;
   for (const auto& entry : this->Wishes)
   {
     const Wish& wish = entry.second;
-    most.MaximumNumberOfShadows =
-      std::max(most.MaximumNumberOfShadows, wish.MaximumNumberOfShadows);
+    number = std::max(number, wish.Mapper->GetMaximumNumberOfShadows());
     most.DepthMapResolution = std::max(most.DepthMapResolution, wish.DepthMapResolution);
     most.DepthBias = std::max(most.DepthBias, wish.DepthBias);
     most.HasShadows = most.HasShadows || wish.HasShadows;
@@ -91,7 +92,7 @@ void vtkSceneShadows::Arrange()
   {
     this->Lights.Begin(this->Renderer, most.LightAngle);
   }
-  this->Pass->SetMaximumNumberOfShadows(most.MaximumNumberOfShadows);
+  this->Pass->SetMaximumNumberOfShadows(number);
   this->Pass->SetDepthMapResolution(most.DepthMapResolution);
   this->Pass->SetDepthBias(most.DepthBias);
   vtkDrawingPass place(this->Renderer);

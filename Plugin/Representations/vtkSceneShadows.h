@@ -12,6 +12,7 @@
 
 class vtkRenderer;
 class vtkShadowedScenePass;
+class vtkShadowedSliceMapper;
 
 /**
  * @class   vtkSceneShadows
@@ -40,7 +41,8 @@ public:
   struct Wish
   {
     bool HasShadows = false;
-    int MaximumNumberOfShadows = 0;
+    /// The mapper whose MaximumNumberOfShadows the pass has.
+    vtkSmartPointer<vtkShadowedSliceMapper> Mapper;
     int DepthMapResolution = 0;
     double DepthBias = 0.0;
     double LightAngle = 0.0;

@@ -36,18 +36,21 @@ vtkShadowedSliceRepresentation::vtkShadowedSliceRepresentation()
   , Functions(std::make_unique<vtkVolumeFunctions>())
   , Constant(std::make_unique<vtkConstantScalars>())
 {
-  this->Mapper->SetMaximumNumberOfShadows(1);
-  this->Mapper->SetTwoSidedLighting(true);
-  this->Mapper->SetScatteringBrightness(0.35);
+  this->SetMapper(vtkNew<vtkPieceSliceMapper>());
   this->Property->SetInterpolationTypeToLinear();
   this->Property->SetShade(true);
-  this->VolumeMapper = this->Mapper;
 }
 
 vtkShadowedSliceRepresentation::~vtkShadowedSliceRepresentation()
 {
   this->ViewRenderer = nullptr;
   this->UpdateSceneShadows();
+}
+
+void vtkShadowedSliceRepresentation::SetMapper(vtkPieceSliceMapper* mapper)
+{
+  this->Mapper = mapper;
+  this->VolumeMapper = mapper;
 }
 
 void vtkShadowedSliceRepresentation::SetColor(vtkColorTransferFunction* color)
@@ -70,92 +73,6 @@ void vtkShadowedSliceRepresentation::SetOpacity(double opacity)
 void vtkShadowedSliceRepresentation::SetSolidColor(double red, double green, double blue)
 {
   this->Functions->SetSolidColor(red, green, blue);
-}
-
-void vtkShadowedSliceRepresentation::SetShadows(bool shadows)
-{
-  this->Mapper->SetShadows(shadows);
-}
-
-void vtkShadowedSliceRepresentation::SetMaximumNumberOfShadows(int number)
-{
-  this->Mapper->SetMaximumNumberOfShadows(number);
-  this->UpdateSceneShadows();
-}
-
-void vtkShadowedSliceRepresentation::SetSliceSpacing(double spacing)
-{
-  this->Mapper->SetSliceSpacing(spacing);
-}
-
-void vtkShadowedSliceRepresentation::SetTwoSidedLighting(bool isTwoSided)
-{
-  this->Mapper->SetTwoSidedLighting(isTwoSided);
-}
-
-void vtkShadowedSliceRepresentation::SetLightBufferSize(int size)
-{
-  this->Mapper->SetLightBufferSize(size);
-}
-
-void vtkShadowedSliceRepresentation::SetLightLookup(int lookup)
-{
-  this->Mapper->SetLightLookup(lookup);
-}
-
-void vtkShadowedSliceRepresentation::SetImageSampleDistance(double distance)
-{
-  this->Mapper->SetImageSampleDistance(distance);
-}
-
-void vtkShadowedSliceRepresentation::SetAutoAdjustSampleDistances(bool adjust)
-{
-  this->Mapper->SetAutoAdjustSampleDistances(adjust);
-}
-
-void vtkShadowedSliceRepresentation::SetSoftShadowMethod(int method)
-{
-  this->Mapper->SetSoftShadowMethod(method);
-}
-
-void vtkShadowedSliceRepresentation::SetNumberOfLightSamples(int number)
-{
-  this->Mapper->SetNumberOfLightSamples(number);
-}
-
-void vtkShadowedSliceRepresentation::SetMultipleScattering(int mode)
-{
-  this->Mapper->SetMultipleScattering(mode);
-}
-
-void vtkShadowedSliceRepresentation::SetPhaseFunction(int phase)
-{
-  this->Mapper->SetPhaseFunction(phase);
-}
-
-void vtkShadowedSliceRepresentation::SetAnisotropy(double anisotropy)
-{
-  this->Mapper->SetAnisotropy(anisotropy);
-}
-
-void vtkShadowedSliceRepresentation::SetForwardSpread(double spread)
-{
-  this->Mapper->SetForwardSpread(spread);
-}
-
-void vtkShadowedSliceRepresentation::SetBackwardLayers(int layers)
-{
-  this->Mapper->SetBackwardLayers(layers);
-}
-
-void vtkShadowedSliceRepresentation::SetScatteringGridSize(int size)
-{
-  this->Mapper->SetScatteringGridSize(size);
-}
-
-void vtkShadowedSliceRepresentation::SetScatteringBrightness(double brightness)
-{
-  this->Mapper->SetScatteringBrightness(brightness);
 }
 
 void vtkShadowedSliceRepresentation::AddScatteringAlbedoPoint(
@@ -273,17 +190,14 @@ void vtkShadowedSliceRepresentation::UpdateSceneShadows()
   }
   this->SceneShadows = vtkSceneShadows::For(this->ViewRenderer);
   this->SceneShadows->SetWish(this,
-    { this->HasSceneShadows, this->Mapper->GetMaximumNumberOfShadows(),
-      this->SceneDepthMapResolution, this->SceneDepthBias, this->ViewLightAngle });
+    { this->HasSceneShadows, this->Mapper, this->SceneDepthMapResolution, this->SceneDepthBias,
+      this->ViewLightAngle });
 }
 
 int vtkShadowedSliceRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // Processes that only show the outline have no input.
-  vtkDataObject* input = inputVector[0]->GetNumberOfInformationObjects() == 1
-    ? vtkDataObject::GetData(inputVector[0], 0)
-    : nullptr;
+  vtkDataObject* input = GetInput(inputVector);
   if (!input || vtkImageData::SafeDownCast(input))
   {
     return this->ShowImage(vtkImageData::SafeDownCast(input), request, inputVector, outputVector);
@@ -312,13 +226,7 @@ int vtkShadowedSliceRepresentation::RequestData(
       << parts.size() << " datasets of the input " << blocks.GetNumberLeftOut()
       << " are not drawn. Resample them to one image.");
   }
-  vtkNew<vtkInformation> information;
-  information->Copy(inputVector[0]->GetInformationObject(0));
-  information->Set(vtkDataObject::DATA_OBJECT(), image);
-  vtkNew<vtkInformationVector> imageVector;
-  imageVector->Append(information);
-  vtkInformationVector* imageVectors[] = { imageVector };
-  return this->ShowImage(image, request, imageVectors, outputVector);
+  return this->ShowImage(image, request, inputVector, outputVector);
 }
 
 int vtkShadowedSliceRepresentation::ShowImage(vtkImageData* image, vtkInformation* request,
@@ -333,7 +241,8 @@ int vtkShadowedSliceRepresentation::ShowImage(vtkImageData* image, vtkInformatio
                                           << "' is not there, or not of points or cells as the "
                                              "array to colour by; it is not used.");
   }
-  const int result = this->Superclass::RequestData(request, inputVector, outputVector);
+  const int result = image ? this->RequestDataOf(image, request, inputVector, outputVector)
+                           : this->Superclass::RequestData(request, inputVector, outputVector);
   this->UseSeparateOpacityArray = hasOpacityArray;
   return result;
 }

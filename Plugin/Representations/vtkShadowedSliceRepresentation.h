@@ -4,8 +4,8 @@
 
 #include "InterlumeRepresentationsModule.h" // for the export macro
 #include "vtkLitVolumeRepresentation.h"
-#include "vtkNew.h"          // for the mapper
-#include "vtkSmartPointer.h" // for the shadows of the scene
+#include "vtkNew.h"          // for functions
+#include "vtkSmartPointer.h" // for the mapper and the shadows of the scene
 #include "vtkWeakPointer.h"  // for the renderer
 
 #include <memory> // for what it is made of
@@ -33,9 +33,9 @@ class vtkVolumeFunctions;
  * shading and cropping. Without an array to colour by, or where the image lacks it, the solid
  * colour is drawn with one opacity (see vtkVolumeFunctions).
  *
- * All lights of the view shine on the volume: the light kit and additional lights. How many of them
- * cast shadows is MaximumNumberOfShadows, here 1 at first. Shading is on at first, unlike that of
- * ParaView's Volume: without it the light kit's lights add up to more than white.
+ * All lights of the view shine on the volume: the light kit and additional lights. Shading is on by
+ * default, unlike that of ParaView's Volume: without it the light kit's lights add up to more than
+ * white.
  *
  * The representation's own lights, a vtkProjectiveLight and a vtkAreaLight, are
  * vtkLitVolumeRepresentation's.
@@ -82,30 +82,11 @@ public:
    */
   void SetSolidColor(double red, double green, double blue);
 
-  ///@{
   /**
-   * Pass their values on to the mapper. The defaults are those of the mapper, but for
-   * MaximumNumberOfShadows, TwoSidedLighting, and ScatteringBrightness, 0.35: the light kit shows
-   * thick white matter as white.
+   * Sets the mapper, before the representation is in a view. ParaView sets its own values on it.
+   * Default a new one.
    */
-  void SetTwoSidedLighting(bool isTwoSided);
-  void SetShadows(bool shadows);
-  void SetMaximumNumberOfShadows(int number);
-  void SetSliceSpacing(double spacing);
-  void SetLightBufferSize(int size);
-  void SetLightLookup(int lookup);
-  void SetImageSampleDistance(double distance);
-  void SetAutoAdjustSampleDistances(bool adjust);
-  void SetSoftShadowMethod(int method);
-  void SetNumberOfLightSamples(int number);
-  void SetMultipleScattering(int mode);
-  void SetPhaseFunction(int phase);
-  void SetAnisotropy(double anisotropy);
-  void SetForwardSpread(double spread);
-  void SetBackwardLayers(int layers);
-  void SetScatteringGridSize(int size);
-  void SetScatteringBrightness(double brightness);
-  ///@}
+  void SetMapper(vtkPieceSliceMapper* mapper);
 
   ///@{
   /**
@@ -193,7 +174,7 @@ private:
   /// Tells other processes of the piece, and the mapper of theirs.
   void GatherPieces(bool isReduced);
 
-  vtkNew<vtkPieceSliceMapper> Mapper;
+  vtkSmartPointer<vtkPieceSliceMapper> Mapper;
   std::unique_ptr<vtkImageComponent> Component;
   std::unique_ptr<vtkVolumeFunctions> Functions;
   std::unique_ptr<vtkConstantScalars> Constant;

@@ -1,19 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # In the build of the VTK modules: the numbers and pictures for ParaView to repeat, and the defaults of
 # its XML.
-find_package(VTK 9.1 REQUIRED COMPONENTS IOXMLParser)
-add_executable(TestPluginXMLDefaults TestPluginXMLDefaults.cxx)
-target_link_libraries(TestPluginXMLDefaults PRIVATE
-  Interlume::InterlumeFlow Interlume::InterlumeFlowTexture Interlume::InterlumeIntervals
-  Interlume::InterlumeLight Interlume::InterlumeSources Interlume::InterlumeTetrahedra VTK::IOXMLParser)
-if (INTERLUME_ENABLE_TETGEN)
-  target_link_libraries(TestPluginXMLDefaults PRIVATE Interlume::InterlumeMeshing)
-  target_compile_definitions(TestPluginXMLDefaults PRIVATE INTERLUME_ENABLE_TETGEN)
-endif ()
-add_test(NAME TestPluginXMLDefaults COMMAND TestPluginXMLDefaults "${PROJECT_SOURCE_DIR}/Plugin")
-set_tests_properties(TestPluginXMLDefaults PROPERTIES
-  LABELS "value;quick"
-  FAIL_REGULAR_EXPRESSION "ERROR: ;Warning: ")
 if (NOT INTERLUME_PYTHON)
   return()
 endif ()
@@ -37,6 +24,7 @@ extraction_test(TestRepresentationPictures image
   Extractions/write_representation.py "${extractions_folder}")
 extraction_test(TestShadowedSlicePictures image
   Extractions/write_shadowed_slices.py "${extractions_folder}")
+extraction_test(TestPluginXMLDefaults "value;quick" TestPluginXMLDefaults.py "${PROJECT_SOURCE_DIR}/Plugin")
 # One of the flows of the numbers has no critical point, which is warned of.
 set_tests_properties(TestInflowTexturePictures TestRepresentationPictures TestShadowedSlicePictures PROPERTIES
   TIMEOUT 300

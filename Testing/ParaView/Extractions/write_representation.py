@@ -5,7 +5,8 @@ picture as `<name>.png`. ParaView is asked the same and must draw the same."""
 
 import sys
 
-from interlume import vtkAnalyticFieldSource, vtkAnalyticFlowSource, vtkTetrahedraSettings, vtkTimeWeightedTetrahedraMapper
+from interlume import (
+    vtkAnalyticFieldSource, vtkAnalyticFlowSource, vtkTetrahedraSettings, vtkTimeWeightedTetrahedraMapper)
 
 import pipelines
 from pictures import gyroid_camera, make_renderer, make_volume, write_pictures
