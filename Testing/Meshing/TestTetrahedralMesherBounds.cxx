@@ -168,9 +168,8 @@ void CheckScales(Check& check)
 {
   const auto surface = MakeRoughSphere(0.2);
   // The surface has angles that forbid the quality bound with some versions of TetGen.
-  vtkNew<vtkTest::ErrorObserver> observer;
   vtkNew<vtkTetrahedralMesher> mesher;
-  mesher->AddObserver(vtkCommand::WarningEvent, observer);
+  ExpectWarnings(mesher);
   const auto mesh = [&](double scale)
   {
     vtkNew<vtkPoints> points;
