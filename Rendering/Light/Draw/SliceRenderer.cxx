@@ -6,14 +6,15 @@
 #include "Draw/VolumeResources.h"
 #include "Lights/LightSources.h"
 #include "Loader/OpenGLFunctions.h"
-#include "Plan/UnitSpaceCamera.h"
 #include "Receivers/SliceScene.h"
 #include "Shaders/SliceShader.h"
 #include "Space/BoxCorners.h"
-#include "Sweeps/LightBufferImage.h"
+#include "Space/UnitVector.h"
 #include "Sweeps/SliceRasterizer.h"
 
 #include "Offscreen/SceneDepth.h"
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTimerLog.h"
@@ -40,6 +41,31 @@ std::array<double, 6> GetBounds(const VolumeResources* volume)
     std::copy_n(found, 6, bounds.begin());
   }
   return bounds;
+}
+
+// Returns the camera in unit space.
+SlicePlan::Eye FindEye(vtkRenderer* renderer, const UnitSpace& space)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const auto fromRows = [](vtkMatrix4x4* matrix)
+  { return UnitVector::FromRows(matrix->GetData()); };
+  SlicePlan::Eye eye;
+  // Everything is put together in double precision before a coordinate is touched.
+  eye.ClipFromUnit =
+    fromRows(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)) *
+    (fromRows(camera->GetModelViewTransformMatrix()) * space.GetWorldFromUnit());
+  const glm::dmat4 inverse = glm::inverse(eye.ClipFromUnit);
+
+  eye.IsParallel = camera->GetParallelProjection() != 0;
+  // The eye is where lines of sight meet, also where a stereo view shears them.
+  const glm::dvec4 apex = inverse * glm::dvec4(0.0, 0.0, -1.0, 0.0);
+  const glm::dvec4 near = inverse * glm::dvec4(0.0, 0.0, -1.0, 1.0);
+  const glm::dvec4 far = inverse * glm::dvec4(0.0, 0.0, 1.0, 1.0);
+  const glm::dvec3 forward = glm::dvec3(far) / far.w - glm::dvec3(near) / near.w;
+  eye.Direction = forward / glm::length(forward);
+  eye.Position =
+    eye.IsParallel ? glm::dvec3(near) / near.w - 4.0 * eye.Direction : glm::dvec3(apex) / apex.w;
+  return eye;
 }
 
 // Returns the plane that w + sign z >= 0 is behind, in clip coordinates.
@@ -151,7 +177,7 @@ void SliceRenderer::UpdateView(vtkRenderer* renderer, const Volumes& volumes, do
   const auto toPixels = [&report](int size)
   { return std::max(static_cast<int>(std::lround(size / report.ImageSampleDistance)), 1); };
   image.Size = { { toPixels(width), toPixels(height) } };
-  image.Eye = UnitSpaceCamera::Get(renderer, this->Space);
+  image.Eye = FindEye(renderer, this->Space);
   image.NearPlane = MakeViewPlane(image.Eye.ClipFromUnit, 1.0);
   image.FarPlane = MakeViewPlane(image.Eye.ClipFromUnit, -1.0);
   image.Lights = LightSources::Gather(renderer, this->Space,
@@ -338,8 +364,8 @@ bool SliceRenderer::ReadLightBuffer(vtkRenderer* renderer, vtkLight* light, vtkI
 {
   SliceRasterizer* rasterizer = this->Find(renderer);
   return rasterizer &&
-    LightBufferImage::Read(*rasterizer, this->Image, this->Space,
-      vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()), light, image);
+    rasterizer->ReadLightBuffer(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()),
+      this->Image, this->Space, light, image);
 }
 
 void SliceRenderer::ReleaseGraphicsResources(vtkWindow* window)

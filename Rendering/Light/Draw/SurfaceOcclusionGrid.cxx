@@ -39,10 +39,8 @@ std::vector<float> DrawShares(vtkOpenGLRenderWindow* window, const SliceScene& s
   const MatterGrid& grid, const glm::dmat4& worldFromUnit, const std::string& share)
 {
   std::string source = InterlumeSceneCellsFS;
-  const auto replace = [&source](const std::string& mark, const std::string& by)
-  { source.replace(source.find(mark), mark.size(), by); };
-  replace("INTERLUME_SHARE", share);
-  replace("//INTERLUME::CASTERS",
+  vtkShaderProgram::Substitute(source, "INTERLUME_SHARE", share);
+  vtkShaderProgram::Substitute(source, "//INTERLUME::CASTERS",
     (scene.Casters->HasViews() ? scene.Casters->GetSource() : std::string()) +
       (scene.Panes ? scene.Panes->GetSource(false) : std::string()));
   source = ShaderFeatures::Insert(

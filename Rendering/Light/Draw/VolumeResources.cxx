@@ -5,7 +5,7 @@
 #include "Receivers/SliceScene.h"
 #include "Shaders/SliceShader.h"
 #include "Shaders/SliceTextures.h"
-#include "Volume/MatterShare.h"
+#include "Volume/OccupancyEstimate.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
@@ -149,7 +149,7 @@ std::string VolumeResources::UpdateMaterial()
     this->State.Blocks.Classify(this->State.Material);
     this->State.SmallBlocks.Classify(this->State.Material);
     this->State.OccupiedFraction =
-      MatterShare::Find(this->State.Samples, this->State.Blocks, this->State.Material);
+      OccupancyEstimate::Find(this->State.Samples, this->State.Blocks, this->State.Material);
     this->MaterialOwner = property;
     this->MaterialKey = std::move(key);
     ++this->MaterialVersion;

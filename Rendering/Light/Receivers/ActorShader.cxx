@@ -35,17 +35,6 @@ std::string Tuple(const std::string& type, const std::array<int, 2>& values)
 {
   return type + "(" + std::to_string(values[0]) + ", " + std::to_string(values[1]) + ")";
 }
-
-bool Swap(std::string& text, const std::string& mark, const std::string& by)
-{
-  const std::size_t place = text.find(mark);
-  if (place == std::string::npos)
-  {
-    return false;
-  }
-  text.replace(place, mark.size(), by);
-  return true;
-}
 }
 
 bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& lights,
@@ -116,7 +105,8 @@ bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& 
     features += transmittance.GetChannels() == 1 ? "rrr" : "rgb";
   }
   std::string source = InterlumeSceneActor;
-  Swap(source, "//INTERLUME::CASTERS", casters.HasViews() ? casters.GetSource() : "");
+  vtkShaderProgram::Substitute(
+    source, "//INTERLUME::CASTERS", casters.HasViews() ? casters.GetSource() : "", false);
   imageParts.Declarations = screens.GetDeclarations();
   shadowedParts.Declarations = ShaderFeatures::Insert(source, features) + panes.GetSource(true) +
     imageParts.Declarations + fields.GetSource();
@@ -207,18 +197,22 @@ bool ActorShader::Replace(std::string& fragmentShader, bool isReceiver) const
   }
   if (isLit && isReceiver && this->Fields && !this->Fields->IsEmpty())
   {
-    Swap(text, "ambientColor + diffuse + specular",
+    vtkShaderProgram::Substitute(text, "ambientColor + diffuse + specular",
       "ambientColor + diffuse + sceneScattered(vertexVC.xyz, normalVCVSOutput) * diffuseColor + "
-      "specular");
+      "specular",
+      false);
     // What a physically based surface reflects of light from all around; later versions of VTK
     // leave that out of their own formula where there is no image of an environment.
-    Swap(text, "vec3 color = iblDiffuse + iblSpecular;",
+    vtkShaderProgram::Substitute(text, "vec3 color = iblDiffuse + iblSpecular;",
       "iblDiffuse += (1.0 - F0) * (1.0 - metallic) * recPI * sceneScattered(vertexVC.xyz, N) * "
-      "albedo;\n  vec3 color = iblDiffuse + iblSpecular;");
+      "albedo;\n  vec3 color = iblDiffuse + iblSpecular;",
+      false);
   }
   fragmentShader = text;
-  Swap(fragmentShader, DECLARATION_MARK, isLit ? parts.Declarations : "");
-  Swap(fragmentShader, IMPLEMENTATION_MARK, isLit ? parts.Implementation : "");
+  vtkShaderProgram::Substitute(
+    fragmentShader, DECLARATION_MARK, isLit ? parts.Declarations : "", false);
+  vtkShaderProgram::Substitute(
+    fragmentShader, IMPLEMENTATION_MARK, isLit ? parts.Implementation : "", false);
   return true;
 }
 

@@ -16,15 +16,6 @@ namespace interlume
 
 namespace
 {
-void ReplaceAll(std::string& text, const std::string& mark, const std::string& by)
-{
-  for (std::size_t place = text.find(mark); place != std::string::npos;
-       place = text.find(mark, place + by.size()))
-  {
-    text.replace(place, mark.size(), by);
-  }
-}
-
 // Returns the source of a field without its number.
 std::string GetFieldSource(const ScatteredField& field)
 {
@@ -40,9 +31,9 @@ std::string GetFieldSource(const ScatteredField& field)
       ".0), vec3(0.0)) * max(dot(normal, normalize(" + light + ".xyz - " + light +
       ".w * place)), 0.0);\n";
   }
-  ReplaceAll(source, "//INTERLUME::LIGHTS", declarations);
-  ReplaceAll(source, "//INTERLUME::FORWARD", forward);
-  ReplaceAll(source, "HAS_FLUENCE", field.HasFluence ? "1" : "0");
+  vtkShaderProgram::Substitute(source, "//INTERLUME::LIGHTS", declarations);
+  vtkShaderProgram::Substitute(source, "//INTERLUME::FORWARD", forward);
+  vtkShaderProgram::Substitute(source, "HAS_FLUENCE", field.HasFluence ? "1" : "0");
   return source;
 }
 }
@@ -58,7 +49,7 @@ std::string SceneFields::GetSource() const
   for (std::size_t i = 0; i < this->Fields.size(); ++i)
   {
     std::string part = GetFieldSource(this->Fields[i]);
-    ReplaceAll(part, "FIELD", std::to_string(i));
+    vtkShaderProgram::Substitute(part, "FIELD", std::to_string(i));
     source += part;
     sum += (i > 0 ? " + " : "") + ("sceneScattered" + std::to_string(i)) + "(place, normal)";
   }

@@ -9,6 +9,7 @@
 #include "InterlumeSliceReceiverFS.h"
 #include "InterlumeSliceScatter.h"
 #include "Offscreen/ShaderFeatures.h"
+#include "vtkShaderProgram.h"
 
 #include <set>
 #include <sstream>
@@ -20,11 +21,7 @@ namespace
 {
 std::string Replace(std::string text, const std::string& mark, const std::string& by)
 {
-  for (std::size_t place = text.find(mark); place != std::string::npos;
-       place = text.find(mark, place + by.size()))
-  {
-    text.replace(place, mark.size(), by);
-  }
+  vtkShaderProgram::Substitute(text, mark, by);
   return text;
 }
 

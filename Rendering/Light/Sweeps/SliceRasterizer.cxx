@@ -2,16 +2,23 @@
 #include "Sweeps/SliceRasterizer.h"
 
 #include "Casters/SceneCasters.h"
+#include "Common/Vectors.h"
 #include "Loader/ScopedState.h"
 #include "Receivers/SliceScene.h"
 #include "Shaders/SliceShader.h"
+#include "Space/UnitSpace.h"
 #include "Translucent/PaneMaps.h"
 
 #include "Offscreen/FloatTexture.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkPointData.h"
 #include "vtkProjectiveLight.h"
 #include "vtkRenderer.h"
 #include "Offscreen/SceneDepth.h"
@@ -566,17 +573,49 @@ void SliceRasterizer::Show(vtkRenderer* renderer)
   }
 }
 
-std::vector<float> SliceRasterizer::ReadLightBuffer(
-  vtkOpenGLRenderWindow* window, int light, int& size, int& channels)
+bool SliceRasterizer::ReadLightBuffer(vtkOpenGLRenderWindow* window, const ImageState& state,
+  const UnitSpace& space, vtkLight* light, vtkImageData* image)
 {
-  for (const std::unique_ptr<SliceLightBuffer>& buffer : this->Lights)
+  for (const SlicePlan::Sweep& sweep : state.Plan.Sweeps)
   {
-    if (buffer->GetLight() == light)
+    for (const SlicePlan::ShadowedLight& shadowed : sweep.Lights)
     {
-      return buffer->Read(window, size, channels);
+      if (state.Lights[shadowed.Light].Light != light)
+      {
+        continue;
+      }
+      int size = 0;
+      int channels = 0;
+      const std::vector<float> texels =
+        this->GetLightBuffer(shadowed.Light).Read(window, size, channels);
+      if (texels.empty())
+      {
+        return false;
+      }
+      image->Initialize();
+      image->SetDimensions(size, size, 1);
+      vtkNew<vtkFloatArray> values;
+      values->SetName("Transmittance");
+      values->SetNumberOfComponents(channels);
+      values->SetNumberOfTuples(static_cast<vtkIdType>(size) * size);
+      std::copy(texels.begin(), texels.end(), values->GetPointer(0));
+      image->GetPointData()->SetScalars(values);
+
+      // The matrix leads from clip coordinates to texture coordinates, after the way from world to
+      // unit space.
+      glm::dmat4 texture(glm::dmat3(0.5));
+      texture[3] = glm::dvec4(0.5, 0.5, 0.5, 1.0);
+      vtkNew<vtkDoubleArray> matrix;
+      matrix->SetName("BufferFromWorld");
+      matrix->SetNumberOfTuples(16);
+      const glm::dmat4 rows =
+        glm::transpose(texture * (shadowed.BufferFromUnit * space.GetUnitFromWorld()));
+      std::copy_n(glm::value_ptr(rows), 16, matrix->GetPointer(0));
+      image->GetFieldData()->AddArray(matrix);
+      return true;
     }
   }
-  return {};
+  return false;
 }
 
 void SliceRasterizer::ReleaseGraphicsResources(vtkWindow* window)

@@ -20,6 +20,8 @@
 #include <string>
 #include <vector>
 
+class vtkImageData;
+class vtkLight;
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
@@ -71,9 +73,9 @@ public:
   /// of the volume.
   void Show(vtkRenderer* renderer);
 
-  /// Reads the texels of the buffer of \a light of the last picture; empty where there is none.
-  std::vector<float> ReadLightBuffer(
-    vtkOpenGLRenderWindow* window, int light, int& size, int& channels);
+  /// Implements vtkShadowedSliceMapper::ReadLightBuffer for the last image, which was in \a space.
+  bool ReadLightBuffer(vtkOpenGLRenderWindow* window, const ImageState& state,
+    const UnitSpace& space, vtkLight* light, vtkImageData* image);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 

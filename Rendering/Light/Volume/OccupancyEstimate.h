@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef interlume_MatterShare_h
-#define interlume_MatterShare_h
+#ifndef interlume_OccupancyEstimate_h
+#define interlume_OccupancyEstimate_h
 
 namespace interlume
 {
@@ -10,10 +10,10 @@ class VolumeBlocks;
 class VolumeSamples;
 
 /**
- * @class   MatterShare
- * @brief   how much of what is drawn of a volume has matter
+ * @class   OccupancyEstimate
+ * @brief   estimates the occupied fraction of the visible blocks
  */
-class MatterShare
+class OccupancyEstimate
 {
 public:
   /// Returns the share, 0 to 1, of the samples of visible blocks that have an extinction above 0 in

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Volume/MatterShare.h"
+#include "Volume/OccupancyEstimate.h"
 
 #include "Volume/MaterialTable.h"
 #include "Volume/VolumeBlocks.h"
@@ -51,7 +51,7 @@ bool HasMatter(const VolumeSamples& samples, const MaterialTable& material, std:
 }
 }
 
-double MatterShare::Find(
+double OccupancyEstimate::Find(
   const VolumeSamples& samples, const VolumeBlocks& blocks, const MaterialTable& material)
 {
   const auto getBlock = [&](int place, std::size_t axis)
