@@ -12,6 +12,25 @@
 namespace interlume
 {
 
+namespace
+{
+/// Makes the object where there is none, and anew where it has another number of dimensions, which
+/// OpenGL keeps, as VTK does the parameters that it has sent.
+void MakeObject(
+  vtkSmartPointer<vtkTextureObject>& object, unsigned int target, vtkOpenGLRenderWindow* window)
+{
+  if (object && object->GetTarget() != target)
+  {
+    object->ReleaseGraphicsResources(window);
+    object = nullptr;
+  }
+  if (!object)
+  {
+    object = vtkSmartPointer<vtkTextureObject>::New();
+  }
+}
+}
+
 void FlowTextures::Begin(vtkOpenGLRenderWindow* window)
 {
   this->Window = window;
@@ -80,17 +99,8 @@ std::string FlowTextures::Send(bool isVolume, Texture& texture, const Source& so
     return "has " + std::to_string(largest) + " texels along an axis, and textures here at most " +
       std::to_string(limit);
   }
-  if (!texture.Object)
-  {
-    texture.Object = vtkSmartPointer<vtkTextureObject>::New();
-  }
+  MakeObject(texture.Object, isVolume ? GL_TEXTURE_3D : GL_TEXTURE_2D, this->Window);
   vtkTextureObject* object = texture.Object;
-  // A texture of OpenGL keeps the number of its dimensions.
-  const unsigned int target = isVolume ? GL_TEXTURE_3D : GL_TEXTURE_2D;
-  if (object->GetHandle() != 0 && object->GetTarget() != target)
-  {
-    object->ReleaseGraphicsResources(this->Window);
-  }
   object->SetContext(this->Window);
   const int filter = source.IsSmooth ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
   object->SetMagnificationFilter(filter);
@@ -120,6 +130,7 @@ std::string FlowTextures::Send(bool isVolume, Texture& texture, const Source& so
   if (!isMade || glGetError() != GL_NO_ERROR)
   {
     object->ReleaseGraphicsResources(this->Window);
+    texture.Object = nullptr;
     return "takes " + std::to_string(texture.Bytes) +
       " bytes, for which the graphics card has no memory";
   }
