@@ -47,7 +47,6 @@ void VisibilitySearch::Enter(std::uint32_t tetrahedron)
 {
   this->Numbers[tetrahedron] = ++this->LastNumber;
   this->Frames.push_back({ tetrahedron, 0, this->LastNumber });
-  this->Pending.push_back(tetrahedron);
 }
 
 void VisibilitySearch::Search(const VisibilityGraph& graph,
@@ -77,6 +76,7 @@ void VisibilitySearch::Search(const VisibilityGraph& graph,
     }
     else
     {
+      this->Pending.push_back(last.Tetrahedron);
       std::uint32_t& lowest = this->Frames.back().Lowest;
       lowest = std::min(lowest, last.Lowest);
     }
@@ -87,14 +87,18 @@ void VisibilitySearch::Complete(std::uint32_t root, const std::vector<std::uint3
   std::vector<std::uint32_t>& frontToBack)
 {
   const std::size_t size = frontToBack.size();
-  std::uint32_t member;
-  do
+  const auto list = [&](std::uint32_t member)
   {
-    member = this->Pending.back();
-    this->Pending.pop_back();
     this->Numbers[member] = Listed;
     frontToBack.push_back(member);
-  } while (member != root);
+  };
+  // All that were entered after the root, and wait, belong to its component.
+  while (!this->Pending.empty() && this->Numbers[this->Pending.back()] > this->Numbers[root])
+  {
+    list(this->Pending.back());
+    this->Pending.pop_back();
+  }
+  list(root);
   if (frontToBack.size() - size > 1)
   {
     this->InCycles += static_cast<std::uint32_t>(frontToBack.size() - size);

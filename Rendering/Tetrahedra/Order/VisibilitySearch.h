@@ -16,9 +16,10 @@ namespace interlume
  * @brief   lists tetrahedra front to back by a depth-first search
  *
  * Finds the strongly connected components (R. Tarjan, "Depth-first search and linear graph
- * algorithms", 1972), which come out front to back. A component of more than one tetrahedron is one
- * cycle or several, and is listed in the order of its centroids. The search is iterative: its stack
- * is in the heap.
+ * algorithms", 1972, as E. Nuutila, E. Soisalon-Soininen, "On finding the strongly connected
+ * components in a directed graph", 1994), which come out front to back. A component of more than
+ * one tetrahedron is one cycle or several, and is listed in the order of its centroids. The search
+ * is iterative: its stack is in the heap.
  */
 class VisibilitySearch
 {
@@ -56,7 +57,7 @@ private:
   std::uint32_t LastNumber = 0;
   std::uint32_t InCycles = 0;
   std::vector<Frame> Frames;
-  /// The tetrahedra entered whose component is not complete.
+  /// The tetrahedra left whose component is not complete.
   std::vector<std::uint32_t> Pending;
   /// The positions in the order of centroids; empty until there is a cycle.
   std::vector<std::uint32_t> Ranks;
