@@ -35,7 +35,6 @@ growth::Quantity MakeQuantity(const std::string& name)
 {
   growth::Quantity made;
   made.Name = name;
-  made.Counted = "things";
   made.Time = { 1.0, 1.0, "one after the other" };
   made.Memory = { 0.0, 0.0, "nothing is kept" };
   return made;

@@ -43,8 +43,6 @@ struct Quantity
 {
   /// The case of its rows.
   std::string Name;
-  /// What N counts, for the axis of the plot.
-  std::string Counted;
   /// What Make is called with, from the smallest.
   std::vector<int> Sizes;
   /// Of the processor time of all threads.
@@ -85,12 +83,6 @@ void AddExponentRows(const Quantity& quantity, BenchRows& rows);
  * The claims that every exponent, of time and memory, is within Margin of theory's.
  */
 std::vector<BenchClaim> CheckExponents(const std::vector<BenchRow>& rows);
-
-/**
- * A plot for each quantity: time and memory against n, with lines of theory's exponents.
- */
-std::vector<BenchPlot> MakeGrowthPlots(
-  const std::vector<Quantity>& quantities, const std::vector<BenchRow>& rows);
 }
 
 #endif

@@ -4,8 +4,6 @@
 #include "Benchmarks/Measures/PowerFit.h"
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 #include <sstream>
 
 namespace growth
@@ -108,28 +106,6 @@ BenchClaim CheckExponent(
   }
   return claim;
 }
-
-/// The measured points, and theory's lines through the largest.
-void AddLines(const BenchRow& exponent, const Measure& measure, double unit, const char* label,
-  const std::vector<BenchRow>& rows, BenchPlot& plot)
-{
-  const Points points = GetPoints(exponent.Case, measure, rows);
-  for (std::size_t i = 0; i < points.N.size(); ++i)
-  {
-    plot.AddPoint(label, false, points.N[i], unit * points.Cost[i]);
-  }
-  const std::size_t last = points.N.size() - 1;
-  for (const double power : std::set<double>{
-         exponent.Counts["least"].get<double>(), exponent.Counts["most"].get<double>() })
-  {
-    const std::string name = std::string(label) + ", N^" + ToText(power);
-    for (const std::size_t i : { std::size_t(0), last })
-    {
-      plot.AddPoint(name, true, points.N[i],
-        unit * points.Cost[last] * std::pow(points.N[i] / points.N[last], power));
-    }
-  }
-}
 }
 
 const char* const TimeExponent = "time exponent";
@@ -145,34 +121,5 @@ std::vector<BenchClaim> CheckExponents(const std::vector<BenchRow>& rows)
 {
   return { CheckExponent("processor time against N", OfTime, rows),
     CheckExponent("memory against N", OfMemory, rows) };
-}
-
-std::vector<BenchPlot> MakeGrowthPlots(
-  const std::vector<Quantity>& quantities, const std::vector<BenchRow>& rows)
-{
-  std::vector<BenchPlot> plots;
-  for (const Quantity& quantity : quantities)
-  {
-    std::string name = "growth-" + quantity.Name;
-    std::replace_if(
-      name.begin(), name.end(), [](char c) { return c == ' ' || c == ','; }, '-');
-    BenchPlot plot = BenchPlot::OfErrors(name,
-      quantity.Name + ": processor time and peak of memory over the input", quantity.Counted,
-      "processor time (s), memory (MiB)");
-    plot.HasFront = false;
-    for (const BenchRow& row : rows)
-    {
-      if (row.Case == quantity.Name && row.Method == OfTime.Method)
-      {
-        AddLines(row, OfTime, 1.0, "s", rows, plot);
-      }
-      if (row.Case == quantity.Name && row.Method == OfMemory.Method)
-      {
-        AddLines(row, OfMemory, 1.0 / 1024.0, "MiB", rows, plot);
-      }
-    }
-    plots.push_back(plot);
-  }
-  return plots;
 }
 }

@@ -145,7 +145,7 @@ Job MakeFlowJob(int samples, const BenchOptions& options)
 
 Quantity MakeCells(const BenchOptions& options)
 {
-  return { "cells", "cells", GetPoints(options),
+  return { "cells", GetPoints(options),
     { 2.0 / 3.0, 1.0,
       "N to classify the cells and to fill the inside, N^(2/3) at the surfaces, where a cell takes "
       "most; N dominates in the end" },
@@ -161,7 +161,7 @@ Quantity MakeCells(const BenchOptions& options)
 
 Quantity MakeContour(const BenchOptions& options)
 {
-  return { "cells of a contour", "cells", GetPoints(options),
+  return { "cells of a contour", GetPoints(options),
     { 2.0 / 3.0, 1.0,
       "N to classify the cells, N^(2/3) to make the triangles of those that the surface meets: "
       "which dominates depends on the size" },
@@ -176,7 +176,7 @@ Quantity MakeContour(const BenchOptions& options)
 
 Quantity MakeSimplices(const BenchOptions& options)
 {
-  return { "4-simplices", "4-simplices",
+  return { "4-simplices",
     options.Pick<std::vector<int>>({ 10, 20, 40, 80, 160 }, { 10, 20, 40, 80, 160 }, { 20, 60 }),
     { 1.0, 1.0,
       "each 4-simplex is projected and cut by itself; classifying the cells is a constant that is "
@@ -192,7 +192,7 @@ Quantity MakeSimplices(const BenchOptions& options)
 
 Quantity MakeSteps(const BenchOptions& options)
 {
-  return { "time steps", "slabs between time steps", GetSlabs(options),
+  return { "time steps", GetSlabs(options),
     { 1.0, 1.0, "each slab is extracted by itself, and has as much in it" },
     { 1.0, 1.0, "the output holds every slab; of the steps, two are at work" },
     [](int slabs, const BenchOptions& sizes)
@@ -201,7 +201,7 @@ Quantity MakeSteps(const BenchOptions& options)
 
 Quantity MakeWrittenSteps(const BenchOptions& options)
 {
-  return { "time steps, written slab by slab", "slabs between time steps", GetSlabs(options),
+  return { "time steps, written slab by slab", GetSlabs(options),
     { 1.0, 1.0, "each slab is extracted and written by itself" },
     { 0.0, 0.0, "two steps and one slab are held at a time" },
     [](int slabs, const BenchOptions& sizes)
@@ -210,7 +210,7 @@ Quantity MakeWrittenSteps(const BenchOptions& options)
 
 Quantity MakeSamples(const BenchOptions& options)
 {
-  return { "samples", "samples",
+  return { "samples",
     options.Pick<std::vector<int>>({ 24, 32, 48, 64, 80 }, { 16, 24, 32, 48 }, { 5, 7, 9 }),
     { 1.0, 1.0, "each sample has a streamline of its own, of the same mean length" },
     { 1.0, 1.0, "each sample has its answer in the output" }, MakeFlowJob };

@@ -74,15 +74,10 @@ nlohmann::ordered_json MeasureSize(const std::string& argument, const BenchOptio
   }
   throw std::runtime_error("there is no quantity " + argument);
 }
-
-std::vector<BenchPlot> MakePlots(const std::vector<BenchRow>& rows)
-{
-  return MakeGrowthPlots(MakeQuantities(BenchOptions()), rows);
-}
 }
 
 BenchPart MakePart()
 {
-  return { AddRows, MakePlots, CheckExponents, { { Task, MeasureSize } } };
+  return { AddRows, nullptr, CheckExponents, { { Task, MeasureSize } } };
 }
 }

@@ -198,27 +198,10 @@ std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
       rows, overNoLights),
   };
 }
-
-std::vector<BenchPlot> MakeSpeedPlots(const std::vector<BenchRow>& rows)
-{
-  BenchPlot plot = BenchPlot::OfBars(
-    "shadows-lights", "shadows of 1, 2 and 4 lights", "time / time without shadows");
-  plot.Reference = 1.0;
-  for (const BenchRow& row : rows)
-  {
-    if (row.Method == On && row.Peer == Off)
-    {
-      const int lights = row.Parameter.get<int>();
-      plot.AddBar(row.Case, std::to_string(lights) + (lights == 1 ? " light" : " lights"), false,
-        row.Counts["over_off"].get<double>());
-    }
-  }
-  return { plot };
-}
 }
 
 BenchPart MakeSpeedPart()
 {
-  return { AddSpeedRows, MakeSpeedPlots, CheckSpeedClaims };
+  return { AddSpeedRows, nullptr, CheckSpeedClaims };
 }
 }

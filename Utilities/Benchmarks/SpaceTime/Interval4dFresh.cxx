@@ -166,26 +166,11 @@ std::vector<BenchClaim> CheckFreshClaims(const std::vector<BenchRow>& rows)
     BenchClaim::AtMost("peak memory at most 1.5 times two time steps and the output", 1.5, rows,
       CountOf("memory", "peak_share")) };
 }
-
-std::vector<BenchPlot> MakeFreshPlots(const std::vector<BenchRow>& rows)
-{
-  BenchPlot plot =
-    BenchPlot::OfBars("interval4d-time", "cold and warm table, 1 thread", "run time (s)");
-  for (const BenchRow& row : rows)
-  {
-    if (row.Method == "cold")
-    {
-      plot.AddBar(row.Case, "cold", false, *row.Seconds);
-      plot.AddBar(row.Case, "warm", true, *row.PeerSeconds);
-    }
-  }
-  return { plot };
-}
 }
 
 BenchPart MakeFreshPart()
 {
-  return { AddFreshRows, MakeFreshPlots, CheckFreshClaims,
+  return { AddFreshRows, nullptr, CheckFreshClaims,
     { { FreshTask, MeasureFresh }, { LaterSlabsTask, MeasureLaterSlabs } } };
 }
 }
