@@ -132,6 +132,8 @@ void TestCounters(Check& check)
   expect({ 0, 0, 1, 0, 0, 0 }, "a detail");
   mapper->SetDetailModeToOver();
   expect({}, "another mode");
+  mapper->SetDetailTexture(MakeBlock());
+  expect({ 0, 0, 1, 0, 0, 0 }, "a detail of three dimensions in place of two");
   mapper->SetOpacityArray("Speed");
   expect({ 0, 0, 0, 0, 1, 1 }, "a further array");
   show.Property->GetScalarOpacity()->AddPoint(0.2, 0.4);
