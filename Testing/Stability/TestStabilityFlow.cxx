@@ -82,7 +82,7 @@ void TestStiff(StabilityCatalogue& catalogue)
       options.MaximumNumberOfSteps = 100000;
       for (bool isLattice : { false, true })
       {
-        const auto result = isLattice ? Advect(LatticeWalker<>(flow, lattice), options, start)
+        const auto result = isLattice ? Advect(LatticeWalker(flow, lattice), options, start)
                                       : Advect(SpaceWalker(flow), options, start);
         const std::string name =
           std::string("stiff-") + Short(rate) + "-" + method.Name + (isLattice ? "-cells" : "");
@@ -143,9 +143,9 @@ void TestStiff(StabilityCatalogue& catalogue)
   half.Origin = { -10, -10, -10 };
   const Place before = { -3.0, std::sin(-3.0) + 0.01, 0.1 };
   options.MaximumTime = 3.0;
-  const auto stiff = Advect(LatticeWalker<>(passing, half), options, before);
+  const auto stiff = Advect(LatticeWalker(passing, half), options, before);
   options.MaximumTime = 10.0;
-  const auto passed = Advect(LatticeWalker<>(passing, half), options, before);
+  const auto passed = Advect(LatticeWalker(passing, half), options, before);
   catalogue.Check("stiff-for-a-while", "eigenvalues 1e4 in half of the cells, then 0.1",
     "Rosenbrock's steps there, few behind",
     std::to_string(stiff.StiffSteps) + " and " +
@@ -167,7 +167,7 @@ void TestNodes(StabilityCatalogue& catalogue)
     options.MaximumError = 1e-6 * std::max(1.0, turn);
     for (bool isLattice : { false, true })
     {
-      const auto result = isLattice ? Advect(LatticeWalker<>(flow, lattice), options, { 1, 1, 1 })
+      const auto result = isLattice ? Advect(LatticeWalker(flow, lattice), options, { 1, 1, 1 })
                                     : Advect(SpaceWalker(flow), options, { 1, 1, 1 });
       catalogue.Check(std::string("spiral-") + Short(turn) + (isLattice ? "-cells" : ""),
         "a node that streamlines come to in " + Short(turn / (2.0 * vtkMath::Pi())) +
@@ -193,7 +193,7 @@ void TestScales(StabilityCatalogue& catalogue)
     interlume::AdvectionOptions options = ForwardOptions();
     options.Surfaces.push_back({ surface, 3 });
     options.MaximumError = 1e-9 * speed;
-    const auto result = Advect(LatticeWalker<>(flow, lattice), options, { 0, -2, 0.5 });
+    const auto result = Advect(LatticeWalker(flow, lattice), options, { 0, -2, 0.5 });
     catalogue.Measure("speed-" + Short(speed), "speeds of " + Short(speed),
       "relative error of the time to a plane; " + Describe(result),
       result.Id == 3 ? result.Time * speed / (vtkMath::Pi() / 6.0) - 1.0 : std::nan(""), 1e-7);
@@ -202,12 +202,12 @@ void TestScales(StabilityCatalogue& catalogue)
   interlume::AdvectionOptions options = ForwardOptions();
   options.Surfaces.push_back({ surface, 3 });
   options.MaximumError = 1e-296;
-  const auto late = Advect(LatticeWalker<>(slow, lattice), options, { 0, 0, 0 });
+  const auto late = Advect(LatticeWalker(slow, lattice), options, { 0, 0, 0 });
   catalogue.Measure("time-1e290", "speeds of 1e-290",
     "relative error of the time to a plane; " + Describe(late),
     late.Id == 3 ? late.Time / 1e290 - 1.0 : std::nan(""), 1e-12);
   const Flow zero = Flow::Uniform({ 0, 0, 0 });
-  const auto still = Advect(LatticeWalker<>(zero, lattice), options, { 0, 0, 0 });
+  const auto still = Advect(LatticeWalker(zero, lattice), options, { 0, 0, 0 });
   catalogue.Check("zero-field", "vectors 0 everywhere", "stagnated, no step", Describe(still),
     still.Status == vtkFlowStatus::STAGNATED && NumberOfSteps(still) == 0);
   // In all of space, to no surface, with no limit of time.
@@ -226,15 +226,14 @@ void TestFields(StabilityCatalogue& catalogue)
   lattice.IsFinite = [](const auto& cell)
   { return std::any_of(cell.begin(), cell.end(), [](int i) { return i < 14 || i > 17; }); };
   const auto blocked =
-    Advect(LatticeWalker<>(Flow::Uniform({ 1, 0, 0 }), lattice), options, { -3, 0.1, 0.1 });
+    Advect(LatticeWalker(Flow::Uniform({ 1, 0, 0 }), lattice), options, { -3, 0.1, 0.1 });
   catalogue.Measure("nan-block", "NaN in 4^3 cells",
     "distance between the end and the block, not finite",
     blocked.Status == vtkFlowStatus::NOT_FINITE
       ? blocked.Position[0] - (lattice.Origin[0] + 14 * 0.25)
       : std::nan(""),
     1e-14);
-  const auto beside =
-    Advect(LatticeWalker<>(Flow::Rotation(1.0), lattice), options, { 2, 0.0, 0.1 });
+  const auto beside = Advect(LatticeWalker(Flow::Rotation(1.0), lattice), options, { 2, 0.0, 0.1 });
   catalogue.Check("nan-beside", "NaN in 4^3 cells, streamlines around them", "out of time",
     Describe(beside), beside.Status == vtkFlowStatus::OUT_OF_TIME);
   lattice.IsFinite = nullptr;
@@ -244,7 +243,7 @@ void TestFields(StabilityCatalogue& catalogue)
   options.MaximumTime = 3.2;
   for (bool isLattice : { false, true })
   {
-    const auto result = isLattice ? Advect(LatticeWalker<>(shear, lattice), options, { 0, -0.5, 0 })
+    const auto result = isLattice ? Advect(LatticeWalker(shear, lattice), options, { 0, -0.5, 0 })
                                   : Advect(SpaceWalker(shear), options, { 0, -0.5, 0 });
     catalogue.Measure(isLattice ? "shear-layer-cells" : "shear-layer", "a shear layer of 1e-4",
       "distance from the exact end; " + Describe(result),
@@ -259,7 +258,7 @@ void TestFields(StabilityCatalogue& catalogue)
   const Lattice thin = Cubes({ 1.0, 1e-4, 1.0 }, 101);
   const Flow spin = Flow::Linear({ 0, -1e4, 0, 1e-4, 0, 0, 0, 0, 0 });
   options.MaximumTime = 2.0 * vtkMath::Pi();
-  const auto turned = Advect(LatticeWalker<>(spin, thin), options, { 30, 0, 0.2 });
+  const auto turned = Advect(LatticeWalker(spin, thin), options, { 30, 0, 0.2 });
   catalogue.Measure("cells-1e4", "cells of 1 : 1e-4 : 1",
     "distance after one turn; " + Describe(turned),
     turned.Status == vtkFlowStatus::OUT_OF_TIME ? Distance(turned.Position, { 30, 0, 0.2 })
@@ -269,7 +268,7 @@ void TestFields(StabilityCatalogue& catalogue)
   // A closed orbit ends by coming back.
   options = ForwardOptions();
   options.MaximumNumberOfSteps = 20000;
-  const auto orbit = Advect(LatticeWalker<>(Flow::Rotation(1.0), lattice), options, { 2, 0, 0 });
+  const auto orbit = Advect(LatticeWalker(Flow::Rotation(1.0), lattice), options, { 2, 0, 0 });
   catalogue.Check("closed-orbit", "a circle, no limit of time", "closed orbit, on the circle",
     Describe(orbit),
     orbit.Status == vtkFlowStatus::CLOSED_ORBIT &&
@@ -285,7 +284,7 @@ void TestSurfaces(StabilityCatalogue& catalogue)
     KeepingOptions options = ForwardOptions(surfaces);
     options.MaximumTime = 7.0;
     options.MaximumError = 1e-10;
-    return Advect(LatticeWalker<>(rotation, lattice), options, start);
+    return Advect(LatticeWalker(rotation, lattice), options, start);
   };
   const auto plane = [](double offset) { return FormulaSurface::Plane({ 1, 0, 0 }, offset, 1, 2); };
   const auto on = advect({ plane(2.0) }, { 2, 0.1, 0 });

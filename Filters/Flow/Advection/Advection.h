@@ -13,6 +13,7 @@
 #include "Advection/StagnationTest.h"
 #include "Advection/StepController.h"
 #include "Advection/StiffnessTest.h"
+#include "Advection/StepMeasures.h"
 #include "Advection/SurfaceCrossing.h"
 #include "Cells/CellExit.h"
 #include "Cells/FaceExtent.h"
@@ -56,14 +57,14 @@ namespace interlume
  * again.
  */
 template <typename Walker>
-class Advection
+class Advection : private StreamlineState
 {
 public:
   /// Makes an advection on a copy of \a field. \a options must not change while it is used.
   Advection(const Walker& field, const AdvectionOptions& options)
     : Field(field)
     , Options(options)
-    , Rate(Field, options.IsBackward())
+    , Rate(Field, options.IsBackward(), this->Result)
     , Surfaces(options.Surfaces)
     , Integrals(options)
     , HasIntegrals(!this->Integrals.IsEmpty())
@@ -74,24 +75,33 @@ public:
 
   void Follow(const double x[3], AdvectionResult& result)
   {
-    bool goesOn = this->Start(x, result);
+    bool goesOn = this->Start(x);
     while (goesOn)
     {
       goesOn = this->GoStep();
     }
-    this->Finish();
+    this->Finish(result);
   }
 
   ///@{
   /// Follows one streamline step by step: Start and GoStep return false where it ends, and then
-  /// Finish is called. \a result is used until then.
-  bool Start(const double x[3], AdvectionResult& result)
+  /// Finish is called.
+  bool Start(const double x[3])
   {
-    this->Reset(result);
+    this->Reset(StreamlineState());
     return this->Begin(x);
   }
   bool GoStep() { return this->Enter() && this->TakeStep(); }
-  void Finish() { this->End(); }
+  void Finish(AdvectionResult& result)
+  {
+    this->End();
+    static_cast<AdvectionEnd&>(result) = this->Result;
+    result.Means.assign(this->Options.MeanNumbers.size(), 0.0);
+    if (this->HasIntegrals && result.Status != vtkFlowStatus::OUTSIDE)
+    {
+      this->Integrals.End(this->Field, this->Point, result);
+    }
+  }
   ///@}
 
   ///@{
@@ -101,54 +111,28 @@ public:
   bool IsElsewhere() const { return this->Elsewhere; }
   void Save(AdvectionState& state) const
   {
-    AdvectionState::Fixed& values = state.Values;
-    values.Result = *this->Result;
-    values.Cell = this->Field.GetCell();
-    std::copy_n(this->Point, 3, values.Point);
-    values.IsAtStart = this->IsAtStart;
-    values.Size = this->Size;
-    values.Time = this->Time;
-    values.Step = this->Step;
-    values.CellBefore = this->CellBefore;
-    values.Crossings = this->Crossings;
-    values.Evaluations = this->Rate.Evaluations;
-    values.JacobianEvaluations = this->Rate.JacobianEvaluations;
-    values.Controller = this->Controller;
-    values.Stiffness = this->Stiffness;
-    values.Stagnation = this->Stagnation;
-    values.Recurrence = this->Recurrence;
+    state.Values = *this;
+    state.Values.Cell = this->Field.GetCell();
     state.Numbers.clear();
     this->Surfaces.Save(state.Numbers);
     this->Integrals.Save(state.Numbers);
   }
-  bool Resume(const AdvectionState& state, AdvectionResult& result)
+  bool Resume(const AdvectionState& state)
   {
-    this->Reset(result);
-    const AdvectionState::Fixed& values = state.Values;
-    static_cast<AdvectionEnd&>(result) = values.Result;
-    this->Field.GoTo(values.Cell);
-    std::copy_n(values.Point, 3, this->Point);
-    if (values.IsAtStart)
+    this->Reset(state.Values);
+    this->Field.GoTo(this->Cell);
+    if (this->IsAtStart)
     {
-      return this->BeginInCell(result.Position);
+      return this->BeginInCell(this->Result.Position);
     }
-    this->Size = values.Size;
-    this->Time = values.Time;
-    this->Step = values.Step;
-    this->CellBefore = values.CellBefore;
-    this->Crossings = values.Crossings;
-    this->Rate.Evaluations = values.Evaluations;
-    this->Rate.JacobianEvaluations = values.JacobianEvaluations;
-    this->Controller = values.Controller;
-    this->Stiffness = values.Stiffness;
-    this->Stagnation = values.Stagnation;
-    this->Recurrence = values.Recurrence;
     this->Integrals.Restore(this->Surfaces.Restore(state.Numbers.data()));
-    this->IsAtStart = false;
     this->NoteCrossing();
     return this->Field.IsFinite() || this->EndWith(vtkFlowStatus::NOT_FINITE);
   }
   ///@}
+
+  /// Returns the number of steps of the streamline, rejected ones too.
+  int GetNumberOfSteps() const { return this->Result.GetNumberOfSteps(); }
 
   ///@{
   /// Hands the streamline over to a lane that goes on with it, if the next steps may be those that
@@ -182,7 +166,7 @@ public:
     }
     typename Steps::Count& count = steps.Counts[lane];
     count = typename Steps::Count();
-    count.MostCells = this->Recurrence.GetNextFace() - this->Result->Cells;
+    count.MostCells = this->Recurrence.GetNextFace() - this->Result.Cells;
     count.From = this->Recurrence.GetFrom();
     count.To = this->Recurrence.GetTo();
     count.HasRate = this->HasPointRate;
@@ -238,41 +222,29 @@ public:
     if (this->HasPointRate)
     {
       this->Rate(this->Point, this->PointRate);
-      --this->Rate.Evaluations;
+      --this->Result.Evaluations;
     }
-    this->Result->Steps += count.Steps;
-    this->Result->LaneSteps += count.Steps;
-    this->Result->Cells += count.Cells;
-    this->Rate.Evaluations += DormandPrinceStep::NumberOfRates * count.Steps + count.Rates;
+    this->Result.Steps += count.Steps;
+    this->Result.LaneSteps += count.Steps;
+    this->Result.Cells += count.Cells;
+    this->Result.Evaluations +=
+      DormandPrinceStep<double>::NumberOfRates * count.Steps + count.Rates;
     this->Crossings = count.CellBefore >= 0 ? 1 : 0;
     this->CellBefore = count.CellBefore;
   }
   ///@}
 
 private:
+  using Measures = StepMeasures<double>;
   static constexpr int MostCrossings = 64;
   static constexpr double Epsilon = std::numeric_limits<double>::epsilon();
 
-  void Reset(AdvectionResult& result)
+  void Reset(const StreamlineState& state)
   {
-    std::vector<double> means = std::move(result.Means);
-    means.assign(this->Options.MeanNumbers.size(), 0.0);
-    result = AdvectionResult();
-    result.Means = std::move(means);
-    this->Result = &result;
-    this->Rate.Evaluations = 0;
-    this->Rate.JacobianEvaluations = 0;
-    this->Controller = StepController();
-    this->Stiffness = StiffnessTest();
-    this->Recurrence = RecurrenceTest();
-    this->Time = 0.0;
-    this->Step = 0.0;
+    static_cast<StreamlineState&>(*this) = state;
     this->HasPointRate = false;
-    this->Crossings = 0;
-    this->CellBefore = -1;
     this->ClosedFace = -1;
     this->FaceLeft = -1;
-    this->IsAtStart = true;
     this->Elsewhere = false;
   }
 
@@ -286,7 +258,7 @@ private:
   /// Begins a streamline. Returns false where it ends at its start.
   bool Begin(const double x[3])
   {
-    std::copy(x, x + 3, this->Result->Position);
+    std::copy(x, x + 3, this->Result.Position);
     if (!this->Field.Locate(x, this->Point))
     {
       return this->EndWith(vtkFlowStatus::OUTSIDE);
@@ -297,7 +269,7 @@ private:
   bool BeginInCell(const double x[3])
   {
     this->IsAtStart = false;
-    this->Result->Cells = 1;
+    this->Result.Cells = 1;
     this->Integrals.Begin();
     this->Stagnation.Begin(x);
     this->Size = 0.0;
@@ -309,7 +281,7 @@ private:
     const int surface = this->Surfaces.Begin(x, this->Size);
     if (surface >= 0)
     {
-      this->Surfaces.GetResult(surface, x, *this->Result);
+      this->Surfaces.GetResult(surface, x, this->Result);
       return this->EndWith(vtkFlowStatus::REACHED_SURFACE);
     }
     if (this->Surfaces.GetClearance() <= this->Size && this->ArrivesAtOuterFace(1e-9))
@@ -359,15 +331,15 @@ private:
     {
       return false;
     }
-    this->Surfaces.GetResult(surface, x, *this->Result);
-    this->Result->Nearness = tolerance;
+    this->Surfaces.GetResult(surface, x, this->Result);
+    this->Result.Nearness = tolerance;
     return true;
   }
 
   /// Returns whether the streamline ended at a surface, at the end of the field.
   bool ArrivesAtEnd()
   {
-    if (this->Result->Status == vtkFlowStatus::STAGNATED)
+    if (this->Result.Status == vtkFlowStatus::STAGNATED)
     {
       return this->ArrivesAtOuterFace(this->Options.ArrivalTolerance);
     }
@@ -376,32 +348,25 @@ private:
 
   bool EndWith(int status)
   {
-    this->Result->Status = status;
+    this->Result.Status = status;
     return false;
   }
 
   void End()
   {
-    AdvectionResult& result = *this->Result;
+    AdvectionEnd& result = this->Result;
     if (this->ArrivesAtEnd())
     {
       result.Status = vtkFlowStatus::REACHED_SURFACE;
     }
     result.Time = this->Time;
-    result.Evaluations = this->Rate.Evaluations;
-    result.JacobianEvaluations = this->Rate.JacobianEvaluations;
-    if (result.Status == vtkFlowStatus::OUTSIDE)
+    if (result.Status != vtkFlowStatus::OUTSIDE)
     {
-      return;
-    }
-    if (this->Time > 0.0)
-    {
-      this->Field.GetPosition(this->Point, result.Position);
-    }
-    result.DistanceEvaluations = this->Surfaces.GetNumberOfEvaluations();
-    if (this->HasIntegrals)
-    {
-      this->Integrals.End(this->Field, this->Point, result);
+      if (this->Time > 0.0)
+      {
+        this->Field.GetPosition(this->Point, result.Position);
+      }
+      result.DistanceEvaluations = this->Surfaces.GetNumberOfEvaluations();
     }
   }
 
@@ -445,8 +410,8 @@ private:
         return this->EndWith(vtkFlowStatus::STAGNATED);
       }
       const bool isHeld = this->Crossings >= MostCrossings;
-      this->Exit.Approach(this->Field, this->Point, this->PointRate, isHeld);
-      const int face = isHeld ? -1 : this->Exit.GetFaceToCross(closed);
+      const int face =
+        this->Exit.Approach(this->Field, this->Point, this->PointRate, isHeld, closed);
       if (face < 0)
       {
         return way < 0 || this->Leave(way);
@@ -483,7 +448,7 @@ private:
       this->Field.GetCell() == this->CellBefore ? MostCrossings : this->Crossings + 1;
     this->CellBefore = from;
     this->HasPointRate = false;
-    ++this->Result->Cells;
+    ++this->Result.Cells;
     // Where another process has the cell, that looks.
     if (this->Field.IsHere())
     {
@@ -495,19 +460,17 @@ private:
   /// Looks for a return where the streamline has come into the cell, if that is due.
   void NoteCrossing()
   {
-    if (this->Recurrence.IsDue(this->Result->Cells, this->CellBefore, this->Field.GetCell()))
+    if (this->Recurrence.IsDue(this->Result.Cells, this->CellBefore, this->Field.GetCell()))
     {
       this->LookForReturn(this->CellBefore);
     }
   }
 
-  int GetNumberOfSteps() const { return this->Result->GetNumberOfSteps(); }
-
   void LookForReturn(vtkIdType from)
   {
     double x[3];
     this->Field.GetPosition(this->Point, x);
-    this->Recurrence.Enter(this->Result->Cells, from, this->Field.GetCell(), x,
+    this->Recurrence.Enter(this->Result.Cells, from, this->Field.GetCell(), x,
       { static_cast<double>(this->GetNumberOfSteps()), this->Time },
       { static_cast<double>(this->Options.MaximumNumberOfSteps), this->Options.MaximumTime });
   }
@@ -542,8 +505,8 @@ private:
     {
       return this->EndWith(vtkFlowStatus::LEFT_DOMAIN);
     }
-    this->Result->Id = this->Options.DomainFaceId + domainFace;
-    this->Field.GetDomainParameters(face, this->Point, this->Result->Parameters);
+    this->Result.Id = this->Options.DomainFaceId + domainFace;
+    this->Field.GetDomainParameters(face, this->Point, this->Result.Parameters);
     return this->EndWith(vtkFlowStatus::REACHED_SURFACE);
   }
 
@@ -611,40 +574,14 @@ private:
     return bend * step > scaled ? scaled / bend : (bend >= 0.0 ? step : probe);
   }
 
-  /**
-   * Computes the error of a step less the part that the field itself damps. In a direction in which
-   * errors decay as exp(-t / d), the errors of all steps add up to e / (1 - exp(-h / d)), not to e
-   * t / h: by 1 - exp(-z) ~ z / (1 + z), and over the time t, to (h + d) / (t + d) of that. t is
-   * the time through a cell, or since the start.
-   */
   template <typename Method>
   double GetLastingError(const Method& method, double h) const
   {
-    double error[3];
-    this->Field.GetWorldVector(this->Point, method.Error, error);
-    double direction[3];
-    const double damping = method.GetDamping(direction);
     const double transit =
       this->Exit.GetFastest() > 0.0 ? 1.0 / this->Exit.GetFastest() : this->Size / this->Speed;
-    const double time = std::min(transit, this->Time + h);
-    if (damping > 0.1 && time > h)
-    {
-      double axis[3];
-      this->Field.GetWorldVector(this->Point, direction, axis);
-      // At a length of about 1, so that its square is a number.
-      const double scale = MultilinearCell::GetScale(Vectors::InfinityNorm(glm::make_vec3(axis)));
-      for (double& component : axis)
-      {
-        component *= scale;
-      }
-      const double part = Vectors::Dot(error, axis) / Vectors::Dot(axis, axis);
-      const double lost = 1.0 - (1.0 + damping) / (1.0 + damping * (time / h));
-      for (int i = 0; i < 3; ++i)
-      {
-        error[i] -= part * lost * axis[i];
-      }
-    }
-    return Vectors::SafeLength(glm::make_vec3(error));
+    bool isOrdinary = true;
+    return Measures::GetLastingError(
+      this->Field, this->Point, method, h, std::min(transit, this->Time + h), isOrdinary);
   }
 
   void PrefetchAhead(int round) const
@@ -681,7 +618,7 @@ private:
       way < 1.0 / std::numeric_limits<double>::max();
     if (!(ratio <= 1.0) && !(isTaken && isTiny))
     {
-      ++(isStiff ? this->Result->RejectedStiffSteps : this->Result->RejectedSteps);
+      ++(isStiff ? this->Result.RejectedStiffSteps : this->Result.RejectedSteps);
       this->Step = h * this->Controller.Reject(ratio, Method::ErrorOrder);
       return !isTiny || this->EndWith(vtkFlowStatus::NOT_FINITE);
     }
@@ -690,18 +627,17 @@ private:
     this->Dense.GetControlPoints(this->Controls);
     int face = -1;
     bool isFar = false;
-    const double exit = this->Exit.Find(this->Field, this->Dense, this->Controls, face, isFar);
+    const double exit =
+      this->Exit.Find(this->Field, this->Controls, this->Dense.Degree, face, isFar);
     if (isFar && face >= 0 && !isTiny)
     {
-      ++(isStiff ? this->Result->RejectedStiffSteps : this->Result->RejectedSteps);
+      ++(isStiff ? this->Result.RejectedStiffSteps : this->Result.RejectedSteps);
       this->Step = h * std::min(0.9, std::max(0.1, 1.1 * exit));
       return true;
     }
-    ++(isStiff ? this->Result->StiffSteps : this->Result->Steps);
+    ++(isStiff ? this->Result.StiffSteps : this->Result.Steps);
     const double factor = this->Controller.Accept(ratio, Method::ErrorOrder);
-    const double next = std::min(h * factor, std::numeric_limits<double>::max());
-    // A step that was short to stay in the cell says nothing against a longer one.
-    this->Step = ratio < 1e-3 ? std::max(this->Step, next) : next;
+    this->Step = StepController::GetNext(this->Step, h, factor, ratio);
     if constexpr (!std::is_same_v<Method, RungeKutta4Step>)
     {
       this->Stiffness.Add(method.GetStiffness());
@@ -736,50 +672,27 @@ private:
     return this->GoOn(method, h, isLast);
   }
 
-  /// Returns the length of the longest of several vectors.
-  static double GetLargestLength(const double (*vectors)[3], int number)
-  {
-    double square = 0.0;
-    for (int i = 0; i < number; ++i)
-    {
-      square = std::max(square, Vectors::Dot(vectors[i], vectors[i]));
-    }
-    if (square > 1e-280 && square < 1e280)
-    {
-      return std::sqrt(square);
-    }
-    double length = 0.0;
-    for (int i = 0; i < number; ++i)
-    {
-      length = std::max(length, Vectors::SafeLength(glm::make_vec3(vectors[i])));
-    }
-    return length;
-  }
-
   /// Returns how far the step can go: no part of it goes farther than its share of this, whatever
   /// the rounding.
   double GetReach() const
   {
-    constexpr double margin = 1.01;
-    double slopes[DenseOutput::MaximumDegree][3];
-    const int number = this->Dense.GetSlopes(this->Controls, slopes);
     if (this->Field.IsAffine())
     {
-      for (int j = 0; j < number; ++j)
-      {
-        this->Field.GetWorldVector(this->Point, slopes[j], slopes[j]);
-      }
-      return margin * GetLargestLength(slopes, number);
+      bool isOrdinary = true;
+      return Measures::GetAffineReach(
+        this->Field, this->Point, this->Dense, this->Controls, isOrdinary);
     }
     double largest[3] = { 0.0, 0.0, 0.0 };
-    for (int j = 0; j < number; ++j)
+    for (int j = 0; j < this->Dense.Degree; ++j)
     {
+      double slope[3];
+      this->Dense.GetSlope(this->Controls, j, slope);
       for (int i = 0; i < 3; ++i)
       {
-        largest[i] = std::max(largest[i], std::abs(slopes[j][i]));
+        largest[i] = std::max(largest[i], std::abs(slope[i]));
       }
     }
-    return margin * this->Field.GetLongestWorldVector(largest);
+    return Measures::ReachMargin * this->Field.GetLongestWorldVector(largest);
   }
 
   /// Cuts the step at the first surface that it meets, if it meets one.
@@ -804,7 +717,7 @@ private:
     }
     // A step that ends at the surface has the error that is controlled, which a dense output need
     // not have.
-    const DenseOutput found = this->Dense;
+    const DenseOutput<double> found = this->Dense;
     const double shorter = theta * h * (1.0 + SurfaceCrossing::Margin);
     if (theta < 1.0 && method.Take(this->Rate, this->Point, this->PointRate, shorter))
     {
@@ -822,7 +735,7 @@ private:
     this->Dense.GetPoint(theta, this->Point);
     double x[3];
     this->Field.GetPosition(this->Point, x);
-    this->Surfaces.GetResult(surface, x, *this->Result);
+    this->Surfaces.GetResult(surface, x, this->Result);
     return true;
   }
 
@@ -859,36 +772,20 @@ private:
   SurfaceCrossing Surfaces;
   PathIntegrals<Walker> Integrals;
   CellExit<Walker> Exit;
-  StepController Controller;
-  StiffnessTest Stiffness;
-  StagnationTest Stagnation;
-  RecurrenceTest Recurrence;
-  DormandPrinceStep DormandPrince;
+  DormandPrinceStep<double> DormandPrince;
   RungeKutta4Step RungeKutta4;
   RosenbrockStep Rosenbrock;
-  DenseOutput Dense;
+  DenseOutput<double> Dense;
   /// The control points of Dense, while Dense is the whole step.
-  double Controls[DenseOutput::MaximumDegree + 1][3];
+  double Controls[DenseOutput<double>::MaximumDegree + 1][3];
 
-  /// The result of the streamline that is followed.
-  AdvectionResult* Result = nullptr;
-  double Point[3];
   double PointRate[3];
   double Speed = 0.0;
-  /// The size of the first cell, in world units.
-  double Size = 0.0;
-  double Time = 0.0;
-  /// The time of a step that the error allows.
-  double Step = 0.0;
-  vtkIdType CellBefore = -1;
-  int Crossings = 0;
   int ClosedFace = -1;
   /// The face by which the streamline left the field.
   int FaceLeft = -1;
   bool HasPointRate = false;
   bool HasIntegrals;
-  /// Whether nothing is known but the cell of the start.
-  bool IsAtStart = true;
   /// Whether another process has to go on.
   bool Elsewhere = false;
 };

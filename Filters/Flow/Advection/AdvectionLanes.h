@@ -17,7 +17,7 @@ namespace interlume
  * Each streamline has an Advection, which takes the steps that LaneSteps does not: the first, those
  * near surfaces, at edges of cells, at the end of the field, rejected and stiff ones, where a
  * window of a test ends. Where one ends the next begins in its lane. Results are those of
- * Advection::Follow to the last byte.
+ * Advection, bit-identical.
  */
 template <typename Walker, typename Lanes>
 class AdvectionLanes
@@ -40,35 +40,9 @@ public:
     }
   }
 
-  /**
-   * Follows streamlines from begin(x), which computes the next start and returns its id, -1 after
-   * the last. end(id, x, result) is called for each in any order.
-   */
+  /// Follows streamlines as StreamlineIntegrator does.
   template <typename Begin, typename End>
   void Follow(Begin&& begin, End&& end)
-  {
-    double starts[Lanes::Number][3];
-    this->FollowEach(
-      [&](int lane, Advection<Walker>& advection, AdvectionResult& result, bool& goesOn)
-      {
-        const vtkIdType id = begin(starts[lane]);
-        goesOn = id >= 0 && advection.Start(starts[lane], result);
-        return id;
-      },
-      [&](vtkIdType id, int lane, Advection<Walker>& advection, const AdvectionResult& result)
-      {
-        advection.Finish();
-        end(id, starts[lane], result);
-      });
-  }
-
-  /**
-   * Follows streamlines that begin(lane, advection, result, goesOn) puts into an advection, by
-   * Start or Resume, and returns ids of as Follow has it. end(id, lane, advection, result) is
-   * called where an advection does not go on, and has to finish it.
-   */
-  template <typename Begin, typename End>
-  void FollowEach(Begin&& begin, End&& end)
   {
     unsigned int lanes = 0;
     for (int lane = 0; lane < Lanes::Number; ++lane)
@@ -104,14 +78,14 @@ private:
     while (true)
     {
       bool goesOn = false;
-      this->Ids[lane] = begin(lane, *this->Advections[lane], this->Results[lane], goesOn);
+      this->Ids[lane] = begin(*this->Advections[lane], goesOn);
       if (this->Ids[lane] < 0)
       {
         return false;
       }
       if (!goesOn)
       {
-        this->Finish(lane, end);
+        end(this->Ids[lane], *this->Advections[lane]);
       }
       else if (this->GoOn(lane, end))
       {
@@ -128,23 +102,16 @@ private:
     {
       if (!this->Advections[lane]->GoStep())
       {
-        this->Finish(lane, end);
+        end(this->Ids[lane], *this->Advections[lane]);
         return false;
       }
     } while (!this->Advections[lane]->GiveTo(this->Group, lane));
     return true;
   }
 
-  template <typename End>
-  void Finish(int lane, End& end)
-  {
-    end(this->Ids[lane], lane, *this->Advections[lane], this->Results[lane]);
-  }
-
   Steps Group;
   Function Take;
   std::unique_ptr<Advection<Walker>> Advections[Lanes::Number];
-  AdvectionResult Results[Lanes::Number];
   vtkIdType Ids[Lanes::Number];
 };
 

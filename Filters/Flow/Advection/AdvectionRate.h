@@ -2,7 +2,7 @@
 #ifndef interlume_AdvectionRate_h
 #define interlume_AdvectionRate_h
 
-#include <cmath>
+#include "Advection/AdvectionOptions.h"
 
 namespace interlume
 {
@@ -16,8 +16,10 @@ template <typename Walker>
 class AdvectionRate
 {
 public:
-  AdvectionRate(const Walker& field, bool isBackward)
+  /// Counts evaluations in \a counts.
+  AdvectionRate(const Walker& field, bool isBackward, AdvectionEnd& counts)
     : Field(field)
+    , Counts(counts)
     , Sign(isBackward ? -1.0 : 1.0)
   {
   }
@@ -29,7 +31,7 @@ public:
     {
       rate[i] *= this->Sign;
     }
-    ++this->Evaluations;
+    ++this->Counts.Evaluations;
   }
 
   void GetJacobian(const double p[3], double jacobian[9])
@@ -39,14 +41,12 @@ public:
     {
       jacobian[i] *= this->Sign;
     }
-    ++this->JacobianEvaluations;
+    ++this->Counts.JacobianEvaluations;
   }
-
-  int Evaluations = 0;
-  int JacobianEvaluations = 0;
 
 private:
   const Walker& Field;
+  AdvectionEnd& Counts;
   double Sign;
 };
 

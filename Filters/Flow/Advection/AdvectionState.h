@@ -14,34 +14,40 @@ namespace interlume
 {
 
 /**
+ * @class   StreamlineState
+ * @brief   the part of AdvectionState that has a fixed size, and can be copied as bytes
+ */
+struct StreamlineState
+{
+  AdvectionEnd Result;
+  vtkIdType Cell = -1;
+  double Point[3] = { 0.0, 0.0, 0.0 };
+  /// If true, nothing is known except the cell of the start.
+  bool IsAtStart = true;
+  /// The size of the first cell, in world units.
+  double Size = 0.0;
+  double Time = 0.0;
+  /// The time of a step that the error allows.
+  double Step = 0.0;
+  /// The cell that the last step has left, and the number of faces crossed since a step took time.
+  vtkIdType CellBefore = -1;
+  int Crossings = 0;
+  StepController Controller;
+  StiffnessTest Stiffness;
+  StagnationTest Stagnation;
+  RecurrenceTest Recurrence;
+};
+
+/**
  * @class   AdvectionState
- * @brief   all that is known of a streamline that enters a cell, to go on with it elsewhere
+ * @brief   all that is known of a streamline that enters a cell, to continue it elsewhere
  *
- * Steps never see more than one cell, so that a streamline which goes on from its state in the cell
- * has the bytes of one that was not interrupted. What has a fixed size can be copied as bytes.
+ * Steps never see more than one cell. Therefore a streamline that continues from its state in the
+ * cell has the bytes of one that was not interrupted.
  */
 struct AdvectionState
 {
-  struct Fixed
-  {
-    AdvectionEnd Result;
-    vtkIdType Cell = -1;
-    double Point[3] = { 0.0, 0.0, 0.0 };
-    /// Whether the streamline stands in the cell of its start, and nothing is known but that.
-    bool IsAtStart = true;
-    double Size = 0.0;
-    double Time = 0.0;
-    double Step = 0.0;
-    vtkIdType CellBefore = -1;
-    int Crossings = 0;
-    int Evaluations = 0;
-    int JacobianEvaluations = 0;
-    StepController Controller;
-    StiffnessTest Stiffness;
-    StagnationTest Stagnation;
-    RecurrenceTest Recurrence;
-  };
-  Fixed Values;
+  StreamlineState Values;
   /// What is known of each surface, and the sums of further quantities.
   std::vector<double> Numbers;
 };

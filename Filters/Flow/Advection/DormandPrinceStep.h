@@ -17,35 +17,40 @@ namespace interlume
  * J. R. Dormand and P. J. Prince, "A family of embedded Runge-Kutta formulae", J. Comp. Appl. Math.
  * 6 (1980); dense output and test for stiffness as in E. Hairer, S. P. Norsett and G. Wanner,
  * "Solving Ordinary Differential Equations I", section II.6, and II, section IV.2. The rate at the
- * end is the first of the next step.
+ * end is the first of the next step. \a Number is double, or Lanes for several streamlines.
  */
+template <typename Number>
 class DormandPrinceStep
 {
 public:
+  using Math = NumberMath<Number>;
+  using Mask = typename Math::Mask;
+
   /// The power of the step by which the error per unit of time falls.
   static constexpr int ErrorOrder = 4;
   static constexpr bool HasEndRate = true;
   /// The rates that a step computes, without the first.
   static constexpr int NumberOfRates = 6;
 
-  double End[3];
-  double EndRate[3];
+  Number End[3];
+  Number EndRate[3];
   /// The error of the solution of order 4.
-  double Error[3];
+  Number Error[3];
 
-  /// Takes a step. \a first is the rate at \a p. Returns false where a rate is not finite.
+  /// Takes a step. \a first is the rate at \a p. Returns a mask of where all rates are finite.
   template <typename Rate>
-  bool Take(Rate& rate, const double p[3], const double first[3], double h)
+  Mask Take(Rate& rate, const Number p[3], const Number first[3], const Number& step)
   {
+    const Number h = step;
     this->Step = h;
-    double at[3];
+    Number at[3];
     for (int i = 0; i < 3; ++i)
     {
       this->Start[i] = p[i];
       this->K1[i] = first[i];
       at[i] = p[i] + h * (1.0 / 5.0 * first[i]);
     }
-    double k2[3];
+    Number k2[3];
     rate(at, k2);
     for (int i = 0; i < 3; ++i)
     {
@@ -88,19 +93,25 @@ public:
           17253.0 / 339200.0 * this->K5[i] + 22.0 / 525.0 * this->K6[i] -
           1.0 / 40.0 * this->EndRate[i]);
     }
-    return Vectors::IsFinite(glm::make_vec3(this->Error)) &&
-      Vectors::IsFinite(glm::make_vec3(this->End));
+    // The product with 0 is NaN unless a number is finite.
+    Number check = 0.0 * this->Error[0];
+    for (const Number& number :
+      { this->Error[1], this->Error[2], this->End[0], this->End[1], this->End[2] })
+    {
+      check = check + 0.0 * number;
+    }
+    return check == Math::Of(0.0);
   }
 
-  void GetDenseOutput(DenseOutput& dense) const
+  void GetDenseOutput(DenseOutput<Number>& dense) const
   {
     dense.Degree = 4;
     for (int i = 0; i < 3; ++i)
     {
-      const double way = this->End[i] - this->Start[i];
-      const double bend = this->Step * this->K1[i] - way;
-      const double twist = way - this->Step * this->EndRate[i] - bend;
-      const double fourth = this->Step *
+      const Number way = this->End[i] - this->Start[i];
+      const Number bend = this->Step * this->K1[i] - way;
+      const Number twist = way - this->Step * this->EndRate[i] - bend;
+      const Number fourth = this->Step *
         (-12715105075.0 / 11282082432.0 * this->K1[i] +
           87487479700.0 / 32700410799.0 * this->K3[i] - 10690763975.0 / 1880347072.0 * this->K4[i] +
           701980252875.0 / 199316789632.0 * this->K5[i] - 1453857185.0 / 822651844.0 * this->K6[i] +
@@ -121,11 +132,7 @@ public:
   {
     double places[3];
     double rates[3];
-    for (int i = 0; i < 3; ++i)
-    {
-      places[i] = this->End[i] - this->SixthPlace[i];
-      rates[i] = this->EndRate[i] - this->K6[i];
-    }
+    this->GetEndDifference(places, rates);
     const double apart = Vectors::SafeLength(glm::make_vec3(places));
     return apart > std::numeric_limits<double>::min()
       ? this->Step * (Vectors::SafeLength(glm::make_vec3(rates)) / apart)
@@ -136,29 +143,34 @@ public:
    * Computes a direction in which a stiff field damps, and returns by how much: the step times the
    * rate of decay, as GetStiffness finds it; 0 or below where it does not damp.
    */
-  double GetDamping(double direction[3]) const
+  Number GetDamping(Number direction[3]) const
   {
-    double rates[3];
+    Number rates[3];
+    this->GetEndDifference(direction, rates);
+    const Number square = Math::Dot(direction, direction);
+    return Math::Select(square > std::numeric_limits<double>::min(),
+      -this->Step * (Math::Dot(direction, rates) / square), Math::Of(0.0));
+  }
+
+  /// Computes the difference of the last two stages, both at the step's end, and of their rates.
+  void GetEndDifference(Number places[3], Number rates[3]) const
+  {
     for (int i = 0; i < 3; ++i)
     {
-      direction[i] = this->End[i] - this->SixthPlace[i];
+      places[i] = this->End[i] - this->SixthPlace[i];
       rates[i] = this->EndRate[i] - this->K6[i];
     }
-    const double square = Vectors::Dot(direction, direction);
-    return square > std::numeric_limits<double>::min()
-      ? -this->Step * (Vectors::Dot(direction, rates) / square)
-      : 0.0;
   }
 
 private:
-  double Step;
-  double Start[3];
-  double K1[3];
-  double K3[3];
-  double K4[3];
-  double K5[3];
-  double K6[3];
-  double SixthPlace[3];
+  Number Step;
+  Number Start[3];
+  Number K1[3];
+  Number K3[3];
+  Number K4[3];
+  Number K5[3];
+  Number K6[3];
+  Number SixthPlace[3];
 };
 
 }

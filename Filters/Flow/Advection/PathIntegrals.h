@@ -63,7 +63,7 @@ public:
   ///@}
 
   /// Adds a step from theta = 0 to \a end; \a h is its time from theta = 0 to 1.
-  void Add(const Walker& field, const DenseOutput& dense, double end, double h)
+  void Add(const Walker& field, const DenseOutput<double>& dense, double end, double h)
   {
     if (this->Options.ComputeMaximumSpeed)
     {

@@ -86,7 +86,7 @@ public:
       Vectors::IsFinite(glm::make_vec3(this->End));
   }
 
-  void GetDenseOutput(DenseOutput& dense) const
+  void GetDenseOutput(DenseOutput<double>& dense) const
   {
     dense.Degree = 3;
     for (int i = 0; i < 3; ++i)

@@ -49,7 +49,7 @@ public:
       Vectors::IsFinite(glm::make_vec3(this->EndRate));
   }
 
-  void GetDenseOutput(DenseOutput& dense) const
+  void GetDenseOutput(DenseOutput<double>& dense) const
   {
     dense.Degree = 5;
     for (int i = 0; i < 3; ++i)

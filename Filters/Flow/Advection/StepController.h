@@ -2,10 +2,12 @@
 #ifndef interlume_StepController_h
 #define interlume_StepController_h
 
+#include "Numerics/NumberMath.h"
 #include "Numerics/Powers.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace interlume
 {
@@ -60,6 +62,17 @@ public:
     const Lanes factor = Lanes::Select(ratio > SmallRatio, limited, largest);
     previous = Lanes::Max(error, Lanes::Of(LeastPrevious));
     return Lanes::Select(wasRejected, Lanes::Min(factor, one), factor);
+  }
+
+  /// Returns the next step after one of \a h that was multiplied by \a factor. \a step is the step
+  /// that the error allowed: one that was short to stay in the cell says nothing against it.
+  template <typename Number>
+  [[gnu::always_inline]] static Number GetNext(
+    const Number& step, const Number& h, const Number& factor, const Number& ratio)
+  {
+    using Math = NumberMath<Number>;
+    const Number next = Math::Min(h * factor, Math::Of(std::numeric_limits<double>::max()));
+    return Math::Select(ratio < 1e-3, Math::Max(step, next), next);
   }
 
   static constexpr double Largest = 5.0;

@@ -161,7 +161,7 @@ public:
     return nearest;
   }
 
-  void GetResult(int surface, const double x[3], AdvectionResult& result) const
+  void GetResult(int surface, const double x[3], AdvectionEnd& result) const
   {
     const AdvectionOptions::Surface& found = this->Surfaces[static_cast<std::size_t>(surface)];
     result.Id = found.Id + found.Shape->EvaluatePart(x);

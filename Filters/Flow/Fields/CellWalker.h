@@ -40,8 +40,8 @@ namespace interlume
  * - `void GetVelocityGradient(const double p[3], double gradient[9]) const`: dv[i]/dx[j] at [3 i +
  * j], for vorticity.
  * - `int GetNumberOfFaces() const`, at most 6, and `double GetFaceDistance(int face, const double
- * p[3]) const`: above 0 inside, 0 on the face, affine or smooth in p; scaled so that the cell's
- * width is about 1.
+ * p[3]) const`: above 0 inside, 0 on the face, affine in p; scaled so that the cell's width is
+ * about 1.
  * - `bool IsBox() const`: whether the cell is [0,1]^3 and the distances from faces 2 i and 2 i + 1
  * are p_i and 1 - p_i.
  * - `void Prefetch(int face, int round) const`: the cell is likely to be left by that face soon;
@@ -63,9 +63,6 @@ namespace interlume
  * ... 1.
  * - `double Interpolate(int array, const double p[3]) const`: of a point array added to the field.
  *
- * `FacesAreAffine` (static constexpr bool): whether face distances are affine in p, so that a dense
- * output's polynomial can be tested by its coefficients. They are affine in all walkers that exist.
- *
  * `HasLanes` (static constexpr bool): whether there is a class LaneWalker that walks in several
  * cells at once (AdvectionLanes).
  *
@@ -73,7 +70,6 @@ namespace interlume
  */
 struct CellWalker
 {
-  static constexpr bool FacesAreAffine = true;
   static constexpr bool HasLanes = false;
 
   static constexpr bool IsHere() { return true; }

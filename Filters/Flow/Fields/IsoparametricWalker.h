@@ -32,7 +32,6 @@ class IsoparametricWalker : public CellWalker
 {
 public:
   using Field = FieldType;
-  static constexpr bool FacesAreAffine = true;
 
   explicit IsoparametricWalker(const Field* field)
     : Shared(field)

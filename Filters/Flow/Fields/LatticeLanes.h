@@ -102,7 +102,7 @@ public:
     }
   }
 
-  [[gnu::always_inline]] void GetWorldVector(const Lanes d[3], Lanes w[3]) const
+  [[gnu::always_inline]] void GetWorldVector(const Lanes*, const Lanes d[3], Lanes w[3]) const
   {
     if (this->IsDiagonal)
     {

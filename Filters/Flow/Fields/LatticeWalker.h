@@ -24,7 +24,6 @@ public:
   /// Walks in several cells at once.
   template <typename Lanes>
   using LaneWalker = LatticeLanes<FieldType, Lanes>;
-  static constexpr bool FacesAreAffine = true;
   static constexpr bool HasLanes = true;
 
   explicit LatticeWalker(const Field* field)

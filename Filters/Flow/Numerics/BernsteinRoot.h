@@ -3,8 +3,7 @@
 #define interlume_BernsteinRoot_h
 
 #include "Numerics/Binomials.h"
-
-#include <cmath>
+#include "Numerics/NumberMath.h"
 
 namespace interlume
 {
@@ -31,107 +30,75 @@ public:
     return BernsteinRoot::FindIn(coefficients, degree, 0.0, 1.0, 44);
   }
 
-private:
-  static double FindIn(const double* b, int degree, double from, double width, int depth)
+  /**
+   * Returns the only root of a polynomial that is above 0 at 0 and below at 1, by Newton's method
+   * in a bracket, with powers of theta. Lanes outside of \a mask return any number.
+   */
+  template <typename Number>
+  static Number FindOnly(const Number* b, int degree, const typename NumberMath<Number>::Mask& mask)
   {
-    int changes = 0;
-    for (int i = 1; i <= degree; ++i)
-    {
-      changes += (b[i - 1] < 0.0) != (b[i] < 0.0);
-    }
-    if (b[0] < 0.0)
-    {
-      return from;
-    }
-    if (changes == 0)
-    {
-      return None;
-    }
-    if (changes == 1)
-    {
-      return from + width * BernsteinRoot::FindOnly(b, degree);
-    }
-    if (depth == 0)
-    {
-      return b[degree] < 0.0 ? from : None;
-    }
-    double left[MaximumDegree + 1] = {};
-    double right[MaximumDegree + 1] = {};
-    for (int i = 0; i <= degree; ++i)
-    {
-      right[i] = b[i];
-    }
-    left[0] = b[0];
-    for (int level = 1; level <= degree; ++level)
-    {
-      for (int i = 0; i <= degree - level; ++i)
-      {
-        right[i] = 0.5 * (right[i] + right[i + 1]);
-      }
-      left[level] = right[0];
-    }
-    const double root = BernsteinRoot::FindIn(left, degree, from, 0.5 * width, depth - 1);
-    return root != None
-      ? root
-      : BernsteinRoot::FindIn(right, degree, from + 0.5 * width, 0.5 * width, depth - 1);
-  }
-
-  /// Returns the only root of a polynomial that is above 0 at 0 and below at 1, by Newton's method
-  /// in a bracket, with powers of theta.
-  static double FindOnly(const double* b, int degree)
-  {
-    double powers[MaximumDegree + 1];
+    using Math = NumberMath<Number>;
+    Number powers[MaximumDegree + 1];
     BernsteinRoot::GetPowers(b, degree, powers);
     // A bound of half the second derivative.
-    double bend = 0.0;
+    Number bend = Math::Of(0.0);
     for (int k = 2; k <= degree; ++k)
     {
-      bend += 0.5 * k * (k - 1) * std::abs(powers[k]);
+      bend = bend + (0.5 * k * (k - 1)) * Math::Abs(powers[k]);
     }
-    double low = 0.0;
-    double high = 1.0;
-    double theta = BernsteinRoot::GuessOnly(powers[0], powers[1], b[degree]);
-    for (int iteration = 0; iteration < 100; ++iteration)
+    const Number zero = Math::Of(0.0);
+    Number low = zero;
+    Number high = Math::Of(1.0);
+    Number theta = BernsteinRoot::GuessOnly(powers[0], powers[1], b[degree]);
+    Number root = theta;
+    typename Math::Mask isOpen = mask;
+    for (int iteration = 0; iteration < 100 && Math::IsAny(isOpen); ++iteration)
     {
-      double value = powers[degree];
-      double slope = 0.0;
+      Number value = powers[degree];
+      Number slope = zero;
       for (int i = degree - 1; i >= 0; --i)
       {
         slope = slope * theta + value;
         value = value * theta + powers[i];
       }
-      (value < 0.0 ? high : low) = theta;
-      double next = theta - value / slope;
-      const bool isNewton = next > low && next < high;
-      if (!isNewton)
-      {
-        next = value == 0.0 ? theta : 0.5 * (low + high);
-      }
+      const typename Math::Mask isBelow = value < zero;
+      high = Math::Select(isBelow, theta, high);
+      low = Math::Select(isBelow, low, theta);
+      Number next = theta - value / slope;
+      const typename Math::Mask isNewton = (low < next) & (next < high);
+      const Number halved = Math::Select(value == zero, theta, 0.5 * (low + high));
+      next = Math::Select(isNewton, next, halved);
       // The error that Newton's method leaves is at most bend / slope times the square of its way.
-      const double way = next - theta;
-      if ((isNewton && bend * (way * way) <= 1e-14 * std::abs(slope)) || std::abs(way) <= 2e-16 ||
-        next == low || next == high)
-      {
-        return next;
-      }
+      const Number way = next - theta;
+      const typename Math::Mask isDone =
+        (isNewton & (bend * (way * way) <= 1e-14 * Math::Abs(slope))) | (Math::Abs(way) <= 2e-16) |
+        (next == low) | (next == high);
+      root = Math::Select(isOpen, next, root);
+      isOpen &= Math::Not(isDone);
       theta = next;
     }
-    return theta;
+    return root;
   }
+
+private:
+  static double FindIn(const double* b, int degree, double from, double width, int depth);
 
   /// Returns the root of the parabola with this value and slope at 0, and this value at 1.
-  static double GuessOnly(double start, double slope, double end)
+  template <typename Number>
+  static Number GuessOnly(const Number& start, const Number& slope, const Number& end)
   {
-    const double bend = end - start - slope;
-    const double square = slope * slope - 4.0 * bend * start;
-    const double divisor = std::sqrt(square) - slope;
-    const double theta = 2.0 * start / divisor;
-    return theta > 0.0 && theta < 1.0 ? theta : start / (start - end);
+    using Math = NumberMath<Number>;
+    const Number bend = end - start - slope;
+    const Number square = slope * slope - 4.0 * bend * start;
+    const Number divisor = Math::Sqrt(square) - slope;
+    const Number theta = 2.0 * start / divisor;
+    return Math::Select((theta > 0.0) & (theta < Math::Of(1.0)), theta, start / (start - end));
   }
 
-  static void GetPowers(const double* b, int degree, double* powers)
+  template <typename Number>
+  static void GetPowers(const Number* b, int degree, Number* powers)
   {
-    double differences[MaximumDegree + 1];
+    Number differences[MaximumDegree + 1];
     for (int i = 0; i <= degree; ++i)
     {
       differences[i] = b[i];
@@ -147,6 +114,51 @@ private:
     }
   }
 };
+
+inline double BernsteinRoot::FindIn(
+  const double* b, int degree, double from, double width, int depth)
+{
+  int changes = 0;
+  for (int i = 1; i <= degree; ++i)
+  {
+    changes += (b[i - 1] < 0.0) != (b[i] < 0.0);
+  }
+  if (b[0] < 0.0)
+  {
+    return from;
+  }
+  if (changes == 0)
+  {
+    return None;
+  }
+  if (changes == 1)
+  {
+    return from + width * BernsteinRoot::FindOnly(b, degree, true);
+  }
+  if (depth == 0)
+  {
+    return b[degree] < 0.0 ? from : None;
+  }
+  double left[MaximumDegree + 1] = {};
+  double right[MaximumDegree + 1] = {};
+  for (int i = 0; i <= degree; ++i)
+  {
+    right[i] = b[i];
+  }
+  left[0] = b[0];
+  for (int level = 1; level <= degree; ++level)
+  {
+    for (int i = 0; i <= degree - level; ++i)
+    {
+      right[i] = 0.5 * (right[i] + right[i + 1]);
+    }
+    left[level] = right[0];
+  }
+  const double root = BernsteinRoot::FindIn(left, degree, from, 0.5 * width, depth - 1);
+  return root != None
+    ? root
+    : BernsteinRoot::FindIn(right, degree, from + 0.5 * width, 0.5 * width, depth - 1);
+}
 
 }
 

@@ -3,28 +3,30 @@
 #define interlume_DenseOutput_h
 
 #include "Numerics/Binomials.h"
+#include "Numerics/NumberMath.h"
 
 namespace interlume
 {
 
 /**
  * @class   DenseOutput
- * @brief   where a step of an integrator is between its ends: a polynomial of theta, 0 to 1
+ * @brief   the polynomial of theta, 0 to 1, that a step of an integrator follows
  *
- * p(theta) = sum of Coefficients[k] theta^k.
+ * p(theta) = sum of Coefficients[k] theta^k. \a Number is double or Lanes.
  */
+template <typename Number>
 struct DenseOutput
 {
   static constexpr int MaximumDegree = Binomials::MaximumDegree;
 
   int Degree = 0;
-  double Coefficients[MaximumDegree + 1][3] = {};
+  Number Coefficients[MaximumDegree + 1][3];
 
-  void GetPoint(double theta, double p[3]) const
+  void GetPoint(const Number& theta, Number p[3]) const
   {
     for (int i = 0; i < 3; ++i)
     {
-      double sum = this->Coefficients[this->Degree][i];
+      Number sum = this->Coefficients[this->Degree][i];
       for (int k = this->Degree - 1; k >= 0; --k)
       {
         sum = sum * theta + this->Coefficients[k][i];
@@ -34,11 +36,11 @@ struct DenseOutput
   }
 
   /// Computes the derivative dp/dtheta.
-  void GetDerivative(double theta, double d[3]) const
+  void GetDerivative(const Number& theta, Number d[3]) const
   {
     for (int i = 0; i < 3; ++i)
     {
-      double sum = this->Degree * this->Coefficients[this->Degree][i];
+      Number sum = this->Degree * this->Coefficients[this->Degree][i];
       for (int k = this->Degree - 1; k >= 1; --k)
       {
         sum = sum * theta + k * this->Coefficients[k][i];
@@ -48,33 +50,30 @@ struct DenseOutput
   }
 
   /// Computes the Degree + 1 control points of the same curve in Bernstein's form.
-  void GetControlPoints(double points[MaximumDegree + 1][3]) const
+  void GetControlPoints(Number points[MaximumDegree + 1][3]) const
   {
     const auto& weights = Binomials::Get().Elevation[this->Degree];
     for (int j = 0; j <= this->Degree; ++j)
     {
-      points[j][0] = points[j][1] = points[j][2] = 0.0;
-      for (int k = 0; k <= j; ++k)
+      for (int i = 0; i < 3; ++i)
       {
-        for (int i = 0; i < 3; ++i)
+        Number sum = NumberMath<Number>::Of(0.0);
+        for (int k = 0; k <= j; ++k)
         {
-          points[j][i] += weights[j][k] * this->Coefficients[k][i];
+          sum = sum + weights[j][k] * this->Coefficients[k][i];
         }
+        points[j][i] = sum;
       }
     }
   }
 
-  /// Computes the Degree control points of dp/dtheta from those of the curve. Returns their number.
-  int GetSlopes(const double points[MaximumDegree + 1][3], double slopes[MaximumDegree][3]) const
+  /// Computes control point \a j of dp/dtheta, which has Degree of them, from those of the curve.
+  void GetSlope(const Number points[MaximumDegree + 1][3], int j, Number slope[3]) const
   {
-    for (int j = 0; j < this->Degree; ++j)
+    for (int i = 0; i < 3; ++i)
     {
-      for (int i = 0; i < 3; ++i)
-      {
-        slopes[j][i] = this->Degree * (points[j + 1][i] - points[j][i]);
-      }
+      slope[i] = double(this->Degree) * (points[j + 1][i] - points[j][i]);
     }
-    return this->Degree;
   }
 };
 

@@ -8,59 +8,29 @@ namespace interlume
 
 namespace
 {
-INTERLUME_AVX2_FUNCTION
-unsigned int TakeByAVX2(LatticeSteps::ImageSteps& steps, unsigned int lanes)
-{
-  return steps.Take(lanes);
-}
-
-INTERLUME_AVX2_FUNCTION
-unsigned int TakeByAVX2(LatticeSteps::GridSteps& steps, unsigned int lanes)
-{
-  return steps.Take(lanes);
-}
-
-INTERLUME_AVX2_FUNCTION
-unsigned int TakeByAVX2(LatticeSteps::ImagePartSteps& steps, unsigned int lanes)
-{
-  return steps.Take(lanes);
-}
-
-INTERLUME_AVX2_FUNCTION
-unsigned int TakeByAVX2(LatticeSteps::GridPartSteps& steps, unsigned int lanes)
+template <typename Field>
+INTERLUME_AVX2_FUNCTION unsigned int TakeByAVX2(
+  LatticeSteps::Steps<Field>& steps, unsigned int lanes)
 {
   return steps.Take(lanes);
 }
 }
 
-unsigned int LatticeSteps::Take(ImageSteps& steps, unsigned int lanes)
+template <typename Field>
+unsigned int LatticeSteps::Take(Steps<Field>& steps, unsigned int lanes)
 {
-  return INTERLUME_HAS_AVX2 ? TakeByAVX2(steps, lanes) : TakePlainly(steps, lanes);
+  return INTERLUME_HAS_AVX2 ? TakeByAVX2<Field>(steps, lanes) : TakePlainly<Field>(steps, lanes);
 }
 
-unsigned int LatticeSteps::Take(GridSteps& steps, unsigned int lanes)
-{
-  return INTERLUME_HAS_AVX2 ? TakeByAVX2(steps, lanes) : TakePlainly(steps, lanes);
-}
-
-unsigned int LatticeSteps::Take(ImagePartSteps& steps, unsigned int lanes)
-{
-  return INTERLUME_HAS_AVX2 ? TakeByAVX2(steps, lanes) : steps.Take(lanes);
-}
-
-unsigned int LatticeSteps::Take(GridPartSteps& steps, unsigned int lanes)
-{
-  return INTERLUME_HAS_AVX2 ? TakeByAVX2(steps, lanes) : steps.Take(lanes);
-}
-
-unsigned int LatticeSteps::TakePlainly(ImageSteps& steps, unsigned int lanes)
+template <typename Field>
+[[gnu::flatten]] unsigned int LatticeSteps::TakePlainly(Steps<Field>& steps, unsigned int lanes)
 {
   return steps.Take(lanes);
 }
 
-unsigned int LatticeSteps::TakePlainly(GridSteps& steps, unsigned int lanes)
-{
-  return steps.Take(lanes);
-}
+template unsigned int LatticeSteps::Take(Steps<ImageFlowField>&, unsigned int);
+template unsigned int LatticeSteps::Take(Steps<RectilinearFlowField>&, unsigned int);
+template unsigned int LatticeSteps::Take(Steps<ImagePartField>&, unsigned int);
+template unsigned int LatticeSteps::Take(Steps<RectilinearPartField>&, unsigned int);
 
 }

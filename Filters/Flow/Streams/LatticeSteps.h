@@ -17,17 +17,13 @@ namespace interlume
 namespace LatticeSteps
 {
 using Four = Lanes<4>;
-using ImageSteps = LaneSteps<LatticeLanes<ImageFlowField, Four>>;
-using GridSteps = LaneSteps<LatticeLanes<RectilinearFlowField, Four>>;
-using ImagePartSteps = LaneSteps<LatticeLanes<ImagePartField, Four>>;
-using GridPartSteps = LaneSteps<LatticeLanes<RectilinearPartField, Four>>;
+template <typename Field>
+using Steps = LaneSteps<LatticeLanes<Field, Four>>;
 
-unsigned int Take(ImageSteps& steps, unsigned int lanes);
-unsigned int Take(GridSteps& steps, unsigned int lanes);
-unsigned int Take(ImagePartSteps& steps, unsigned int lanes);
-unsigned int Take(GridPartSteps& steps, unsigned int lanes);
-unsigned int TakePlainly(ImageSteps& steps, unsigned int lanes);
-unsigned int TakePlainly(GridSteps& steps, unsigned int lanes);
+template <typename Field>
+unsigned int Take(Steps<Field>& steps, unsigned int lanes);
+template <typename Field>
+unsigned int TakePlainly(Steps<Field>& steps, unsigned int lanes);
 }
 
 }

@@ -2,9 +2,8 @@
 #ifndef interlume_LocalStreamlines_h
 #define interlume_LocalStreamlines_h
 
-#include "Advection/AdvectionLanes.h"
-#include "Streams/LatticeSteps.h"
 #include "Streams/SampleStreams.h"
+#include "Streams/StreamlineIntegrator.h"
 #include "Streams/Streamlines.h"
 
 #include "vtkSMPTools.h"
@@ -32,18 +31,25 @@ public:
     return SampleStreams::Run(number, this->Owner, begin, end,
       [&](auto&& next)
       {
-        this->FollowEach(
-          options,
-          [&](double x[3])
+        AdvectionResult result;
+        StreamlineIntegrator<Walker>::Follow(
+          this->Field, options,
+          [&](Advection<Walker>& advection, bool& goesOn)
           {
             const vtkIdType i = next();
+            double x[3];
             if (i >= 0)
             {
               start(i, x);
+              goesOn = advection.Start(x);
             }
             return i;
           },
-          [&](vtkIdType i, const double*, const AdvectionResult& result) { take(i, result); });
+          [&](vtkIdType i, Advection<Walker>& advection)
+          {
+            advection.Finish(result);
+            take(i, result);
+          });
       });
   }
 
@@ -83,29 +89,6 @@ public:
   }
 
 private:
-  /// Follows streamlines as AdvectionLanes does, where the walker has lanes.
-  template <typename Begin, typename End>
-  void FollowEach(const AdvectionOptions& options, Begin&& begin, End&& end) const
-  {
-    if constexpr (Walker::HasLanes)
-    {
-      using Group = AdvectionLanes<Walker, LatticeSteps::Four>;
-      Group advection(this->Field, options, LatticeSteps::Take);
-      advection.Follow(begin, end);
-    }
-    else
-    {
-      Advection<Walker> advection(this->Field, options);
-      AdvectionResult result;
-      double x[3];
-      for (vtkIdType id = begin(x); id >= 0; id = begin(x))
-      {
-        advection.Follow(x, result);
-        end(id, x, result);
-      }
-    }
-  }
-
   Walker Field;
   vtkAlgorithm* Owner;
 };

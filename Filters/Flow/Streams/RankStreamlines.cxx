@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Streams/RankStreamlines.h"
 
-#include "Advection/AdvectionLanes.h"
-#include "Streams/LatticeSteps.h"
 #include "Streams/LocalStreamlines.h"
 #include "Streams/MessageBytes.h"
 #include "Streams/PartField.h"
 #include "Streams/PartSearch.h"
 #include "Streams/RankField.h"
 #include "Streams/SampleStreams.h"
+#include "Streams/StreamlineIntegrator.h"
 #include "Streams/StructuredPartField.h"
 #include "Streams/UnstructuredPartField.h"
 
@@ -524,24 +523,24 @@ private:
     const Take& take, Next&& next, Done& done) const
   {
     AdvectionState state;
-    FollowSome(
+    AdvectionResult result;
+    StreamlineIntegrator<Walker>::Follow(
       Walker(&this->Shared), options,
-      [&](int, Advection<Walker>& one, AdvectionResult& result, bool& goesOn)
+      [&](Advection<Walker>& one, bool& goesOn)
       {
         const vtkIdType i = next();
         if (i >= 0)
         {
           const Waiting& waiting = batch[static_cast<std::size_t>(i)];
-          goesOn =
-            waiting.State ? one.Resume(*waiting.State, result) : one.Start(waiting.X, result);
+          goesOn = waiting.State ? one.Resume(*waiting.State) : one.Start(waiting.X);
           done.Steps -= waiting.State ? waiting.State->Values.Result.GetNumberOfSteps() : 0;
         }
         return i;
       },
-      [&](vtkIdType i, int, Advection<Walker>& one, const AdvectionResult& result)
+      [&](vtkIdType i, Advection<Walker>& one)
       {
         const Question& question = batch[static_cast<std::size_t>(i)].For;
-        done.Steps += result.GetNumberOfSteps();
+        done.Steps += one.GetNumberOfSteps();
         if (one.IsElsewhere())
         {
           one.Save(state);
@@ -550,7 +549,7 @@ private:
           ++done.HandedOn;
           return;
         }
-        one.Finish();
+        one.Finish(result);
         if (question.Rank == this->Exchange.GetRank())
         {
           take(question.Number, result);
@@ -562,33 +561,6 @@ private:
         MessageBytes::Put(bytes, static_cast<const AdvectionEnd&>(result));
         MessageBytes::Put(bytes, result.Means);
       });
-  }
-
-  /// Follows streamlines as AdvectionLanes::FollowEach does, where the walker has lanes.
-  template <typename BeginOne, typename EndOne>
-  static void FollowSome(
-    const Walker& walker, const AdvectionOptions& options, BeginOne&& begin, EndOne&& end)
-  {
-    if constexpr (Walker::HasLanes)
-    {
-      using Group = AdvectionLanes<Walker, LatticeSteps::Four>;
-      Group advection(walker, options, LatticeSteps::Take);
-      advection.FollowEach(begin, end);
-    }
-    else
-    {
-      Advection<Walker> one(walker, options);
-      AdvectionResult result;
-      bool goesOn = false;
-      for (vtkIdType i = begin(0, one, result, goesOn); i >= 0; i = begin(0, one, result, goesOn))
-      {
-        while (goesOn)
-        {
-          goesOn = one.GoStep();
-        }
-        end(i, 0, one, result);
-      }
-    }
   }
 
   RankField& Ranks;

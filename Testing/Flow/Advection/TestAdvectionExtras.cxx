@@ -44,7 +44,7 @@ std::vector<interlume::AdvectionResult> AdvectInAll(
   const Flow& flow, const interlume::AdvectionOptions& options, const Place& start)
 {
   return { Advect(SpaceWalker(flow), options, start),
-    Advect(LatticeWalker<>(flow, Cells), options, start) };
+    Advect(LatticeWalker(flow, Cells), options, start) };
 }
 
 void TestRotation(Check& check)
@@ -126,7 +126,7 @@ void TestNoTime(Check& check)
     check.Near(result.Means[0], 3.25, 1e-14, "its value");
     check.Near(result.Means[1], 2.5, 1e-14, "its other value");
   }
-  const auto outside = Advect(LatticeWalker<>(flow, Cells), ExtraOptions(), { 7, 0, 0 });
+  const auto outside = Advect(LatticeWalker(flow, Cells), ExtraOptions(), { 7, 0, 0 });
   check.That(outside.Status == vtkFlowStatus::OUTSIDE && outside.MaximumSpeed == 0.0 &&
       outside.Means.size() == 2 && outside.Means[0] == 0.0,
     "nothing of a sample outside");
@@ -150,7 +150,7 @@ void TestOff(Check& check)
   };
   KeepingOptions options = ForwardOptions();
   options.MaximumTime = 3.0;
-  const auto plain = Advect(LatticeWalker<>(flow, Cells), options, { 2.5, 0, 1 });
+  const auto plain = Advect(LatticeWalker(flow, Cells), options, { 2.5, 0, 1 });
   check.Equal(velocities, plain.Evaluations, "evaluations are counted");
   check.Equal(gradients, 0, "no gradients");
   check.That(plain.MaximumSpeed == 0.0 && plain.ArcLength == 0.0 && plain.MeanVorticity == 0.0 &&
@@ -159,13 +159,13 @@ void TestOff(Check& check)
   KeepingOptions all = ExtraOptions();
   all.MaximumError = options.MaximumError;
   all.MaximumTime = 3.0;
-  const auto full = Advect(LatticeWalker<>(flow, Cells), all, { 2.5, 0, 1 });
+  const auto full = Advect(LatticeWalker(flow, Cells), all, { 2.5, 0, 1 });
   check.That(full.Position[0] == plain.Position[0] && full.Steps == plain.Steps &&
       full.Evaluations == plain.Evaluations,
     "the same streamline");
   options.Integrator = vtkImplicitFlowField::ROSENBROCK;
   gradients = 0;
-  const auto stiff = Advect(LatticeWalker<>(flow, Cells), options, { 2.5, 0, 1 });
+  const auto stiff = Advect(LatticeWalker(flow, Cells), options, { 2.5, 0, 1 });
   check.Equal(stiff.JacobianEvaluations, gradients, "Jacobians are counted");
   check.Equal(gradients, stiff.StiffSteps + stiff.RejectedStiffSteps, "one a step");
 }

@@ -75,18 +75,17 @@ void CompareLanes(Group& lanes, const std::string& name, const std::vector<Vecto
   std::vector<vtkIdType> answered(starts.size(), 0);
   vtkIdType next = 0;
   const auto number = static_cast<vtkIdType>(starts.size());
+  AdvectionResult found;
   lanes.Follow(
-    [&](double x[3])
+    [&](auto& advection, bool& goesOn)
     {
       const vtkIdType id = next < number ? next++ : -1;
-      if (id >= 0)
-      {
-        std::copy_n(starts[static_cast<std::size_t>(id)].data(), 3, x);
-      }
+      goesOn = id >= 0 && advection.Start(starts[static_cast<std::size_t>(id)].data());
       return id;
     },
-    [&](vtkIdType id, const double*, const AdvectionResult& found)
+    [&](vtkIdType id, auto& advection)
     {
+      advection.Finish(found);
       const auto i = static_cast<std::size_t>(id);
       ++answered[i];
       seen.Steps += found.Steps;

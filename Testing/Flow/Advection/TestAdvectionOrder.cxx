@@ -33,23 +33,15 @@ enum Walkers
 {
   Space,
   Cubes,
-  CurvedCubes,
   NumberOfWalkers
 };
-const char* const WalkerNames[NumberOfWalkers] = { "space", "cubes", "curved cubes" };
+const char* const WalkerNames[NumberOfWalkers] = { "space", "cubes" };
 
 interlume::AdvectionResult AdvectIn(int walker, const Flow& flow, const Lattice& lattice,
   const interlume::AdvectionOptions& options, Place x)
 {
-  switch (walker)
-  {
-    case Space:
-      return Advect(SpaceWalker(flow), options, x);
-    case Cubes:
-      return Advect(LatticeWalker<>(flow, lattice), options, x);
-    default:
-      return Advect(LatticeWalker<true>(flow, lattice), options, x);
-  }
+  return walker == Space ? Advect(SpaceWalker(flow), options, x)
+                         : Advect(LatticeWalker(flow, lattice), options, x);
 }
 
 struct Method
@@ -152,13 +144,14 @@ void TestStep(Check& check, const char* name, double endOrder, double denseOrder
     double sums[3] = {};
     for (const Place& start : RandomPlaces(20, { 0, 0, 0 }, { 6, 6, 6 }))
     {
-      interlume::AdvectionRate<SpaceWalker> rate(walker, false);
+      interlume::AdvectionEnd counts;
+      interlume::AdvectionRate<SpaceWalker> rate(walker, false, counts);
       double first[3];
       rate(start.data(), first);
       Method method;
       check.That(method.Take(rate, start.data(), first, h), "a step");
       sums[0] += std::pow(Distance(method.End, flow.Follow(start, h)), 2.0);
-      interlume::DenseOutput dense;
+      interlume::DenseOutput<double> dense;
       method.GetDenseOutput(dense);
       for (double theta : { 0.2, 0.45, 0.6, 0.85 })
       {
@@ -353,7 +346,7 @@ void TestTolerance(Check& check)
 int TestAdvectionOrder(int, char*[])
 {
   Check check;
-  TestStep<interlume::DormandPrinceStep>(check, "Dormand and Prince", 6.0, 5.0);
+  TestStep<interlume::DormandPrinceStep<double>>(check, "Dormand and Prince", 6.0, 5.0);
   TestStep<interlume::RungeKutta4Step>(check, "Runge-Kutta 4", 5.0, 5.0);
   TestStep<interlume::RosenbrockStep>(check, "Rosenbrock", 5.0, 4.0);
   TestSlopes(check);

@@ -36,7 +36,7 @@ void TestClosed(Check& check)
 {
   const Flow flow = Flow::Rotation(1.0);
   const Lattice lattice = MakeLattice();
-  const LatticeWalker<> walker(flow, lattice);
+  const LatticeWalker walker(flow, lattice);
   for (int integrator = vtkImplicitFlowField::AUTOMATIC;
        integrator <= vtkImplicitFlowField::ROSENBROCK; ++integrator)
   {
@@ -68,7 +68,7 @@ void TestSpirals(Check& check)
     {
       check.SetContext("inward " + std::to_string(inward) + ", along " + std::to_string(along));
       const Flow flow = Flow::Linear({ { -inward, -1, 0, 1, -inward, 0, 0, 0, along } });
-      const LatticeWalker<> walker(flow, lattice);
+      const LatticeWalker walker(flow, lattice);
       KeepingOptions options = ForwardOptions(
         { FormulaSurface::Sphere({ 0, 0, 0 }, 0.9), FormulaSurface::Sphere({ 0, 0, 0 }, 3.9) });
       for (const double radius : { 0.95, 1.5, 2.5, 3.7 })
@@ -124,7 +124,7 @@ void TestRepelled(Check& check)
         v[1] = x[0] + outward * x[1];
         v[2] = 0.0;
       };
-      const LatticeWalker<> walker(flow, lattice);
+      const LatticeWalker walker(flow, lattice);
       KeepingOptions options = ForwardOptions(
         { FormulaSurface::Sphere({ 0, 0, 0 }, 1.1), FormulaSurface::Sphere({ 0, 0, 0 }, 3.1) });
       options.Integrator = vtkImplicitFlowField::DORMAND_PRINCE;

@@ -30,7 +30,7 @@ void TestOutside(Check& check)
   const Lattice lattice = Cubes(4);
   const auto surface = FormulaSurface::Plane({ 1, 0, 0 }, -1.0, 1, 2);
   const auto result =
-    Advect(LatticeWalker<>(flow, lattice), ForwardOptions({ surface }), { -1, 2, 2 });
+    Advect(LatticeWalker(flow, lattice), ForwardOptions({ surface }), { -1, 2, 2 });
   check.Equal(result.Status, vtkFlowStatus::OUTSIDE, "a sample outside, even on a surface");
   check.That(result.Position[0] == -1 && result.Time == 0.0 && result.Id == -1 &&
       result.Cells == 0 && result.Evaluations == 0,
@@ -41,7 +41,7 @@ void TestLeaving(Check& check)
 {
   const Flow flow = Flow::Uniform({ 1, 0.5, 0 });
   Lattice lattice = Cubes(4);
-  auto left = Advect(LatticeWalker<>(flow, lattice), ForwardOptions(), { 0.5, 0.5, 0.5 });
+  auto left = Advect(LatticeWalker(flow, lattice), ForwardOptions(), { 0.5, 0.5, 0.5 });
   check.Equal(left.Status, vtkFlowStatus::LEFT_DOMAIN, "the end of the field");
   check.Near(left.Time, 3.5, 1e-14, "time until there");
   check.Near(left.Position[1], 2.25, 1e-14, "place there");
@@ -51,12 +51,12 @@ void TestLeaving(Check& check)
   interlume::AdvectionOptions options = ForwardOptions();
   options.DomainFaces = true;
   options.DomainFaceId = 0;
-  left = Advect(LatticeWalker<>(flow, lattice), options, { 0.5, 0.5, 0.5 });
+  left = Advect(LatticeWalker(flow, lattice), options, { 0.5, 0.5, 0.5 });
   check.Equal(left.Status, vtkFlowStatus::LEFT_DOMAIN, "a hole is no face of the domain");
   check.Near(left.Time, 1.5, 1e-14, "time until the hole");
   // A sample on the boundary, outwards and inwards and along it.
   lattice = Cubes(4);
-  const LatticeWalker<> walker(flow, lattice);
+  const LatticeWalker walker(flow, lattice);
   left = Advect(walker, options, { 4, 1.25, 0.5 });
   check.That(left.Status == vtkFlowStatus::REACHED_SURFACE && left.Id == 1 && left.Time == 0.0 &&
       left.Parameters[0] == 0.3125,
@@ -66,7 +66,7 @@ void TestLeaving(Check& check)
   const Flow along = Flow::Uniform({ 1, 0, 0 });
   for (const Place& start : { Place{ 0.5, 4, 4 }, Place{ 0.5, 0, 4 }, Place{ 0, 0, 0 } })
   {
-    left = Advect(LatticeWalker<>(along, lattice), options, start);
+    left = Advect(LatticeWalker(along, lattice), options, start);
     check.That(left.Id == 1 && std::abs(left.Time - (4.0 - start[0])) < 1e-14,
       "along an edge of the domain: " + Describe(left));
   }
@@ -83,7 +83,7 @@ void TestEdges(Check& check)
       Place{ 1, 1e-14, -1e-14 }, Place{ 1, 1e-17, 1 }, Place{ 1, 1 + 1e-15, 1 } })
   {
     const Flow flow = Flow::Uniform(velocity);
-    const auto result = Advect(LatticeWalker<>(flow, lattice), options, { 4, 4, 4 });
+    const auto result = Advect(LatticeWalker(flow, lattice), options, { 4, 4, 4 });
     check.Equal(result.Status, vtkFlowStatus::LEFT_DOMAIN, "from a corner: " + Describe(result));
     check.Near(result.Time, 4.0, 1e-13, "time from the middle");
     for (std::size_t i = 0; i < 3; ++i)
@@ -95,16 +95,16 @@ void TestEdges(Check& check)
   // Missing cells beside the diagonal: there is no way but through the edge.
   lattice.IsCell = [](const auto& cell) { return cell[0] == cell[1]; };
   auto result =
-    Advect(LatticeWalker<>(Flow::Uniform({ 1, 1, 0 }), lattice), options, { 0.5, 0.5, 0.5 });
+    Advect(LatticeWalker(Flow::Uniform({ 1, 1, 0 }), lattice), options, { 0.5, 0.5, 0.5 });
   check.Equal(result.Status, vtkFlowStatus::LEFT_DOMAIN, "nothing beyond an edge");
   check.Near(result.Time, 0.5, 1e-14, "time to the edge");
   lattice.IsCell = [](const auto& cell) { return cell[0] == cell[1] || cell[0] == cell[1] + 1; };
   const Flow diagonal = Flow::Uniform({ 1, 1, 0 });
-  result = Advect(LatticeWalker<>(diagonal, lattice), options, { 0.5, 0.5, 0.5 });
+  result = Advect(LatticeWalker(diagonal, lattice), options, { 0.5, 0.5, 0.5 });
   check.That(result.Status == vtkFlowStatus::LEFT_DOMAIN && std::abs(result.Time - 7.5) < 1e-13,
     "round an edge by the cells on one side: " + Describe(result));
   lattice.IsCell = [](const auto& cell) { return cell[0] == cell[1] || cell[0] + 1 == cell[1]; };
-  result = Advect(LatticeWalker<>(diagonal, lattice), options, { 0.5, 0.5, 0.5 });
+  result = Advect(LatticeWalker(diagonal, lattice), options, { 0.5, 0.5, 0.5 });
   check.That(result.Status == vtkFlowStatus::LEFT_DOMAIN && std::abs(result.Time - 7.5) < 1e-13,
     "round an edge by the cells on the other side: " + Describe(result));
   // Closed orbits round an edge and a corner, and through the middles of faces.
@@ -117,7 +117,7 @@ void TestEdges(Check& check)
     for (double height : { 4.0, 4.3 })
     {
       const auto orbit =
-        Advect(LatticeWalker<>(rotation, lattice), options, { 4 + radius, 4, height });
+        Advect(LatticeWalker(rotation, lattice), options, { 4 + radius, 4, height });
       check.Equal(orbit.Status, vtkFlowStatus::OUT_OF_TIME, "ten times around");
       check.Near(Distance(orbit.Position, { 4 + radius, 4, height }), 0.0, 6e-8, "back again", 1.0);
     }
@@ -128,7 +128,7 @@ void TestEdges(Check& check)
   };
   options = ForwardOptions();
   options.MaximumNumberOfSteps = 2000;
-  result = Advect(LatticeWalker<>(rotation, lattice), options, { 3.5, 4.2, 4.5 });
+  result = Advect(LatticeWalker(rotation, lattice), options, { 3.5, 4.2, 4.5 });
   check.That(
     NumberOfSteps(result) <= 2000 && result.Time > 0.5 && std::abs(result.Position[0] - 4.0) < 0.1,
     "to and fro: " + Describe(result));
@@ -138,7 +138,7 @@ void TestStagnation(Check& check)
 {
   const Flow node = Flow::Linear({ -1, 0, 0, 0, -1, 0, 0, 0, -1 }, { 2.3, 2.4, 2.6 });
   const Lattice lattice = Cubes(4);
-  const LatticeWalker<> walker(node, lattice);
+  const LatticeWalker walker(node, lattice);
   for (int integrator = vtkFlowSettings::AUTOMATIC; integrator <= vtkFlowSettings::ROSENBROCK;
        ++integrator)
   {
@@ -163,7 +163,7 @@ void TestStagnation(Check& check)
   }
   interlume::AdvectionOptions options = ForwardOptions();
   const Flow zero = Flow::Uniform({ 0, 0, 0 });
-  const auto still = Advect(LatticeWalker<>(zero, lattice), options, { 1, 2, 3 });
+  const auto still = Advect(LatticeWalker(zero, lattice), options, { 1, 2, 3 });
   check.That(still.Status == vtkFlowStatus::STAGNATED && still.Time == 0.0 &&
       NumberOfSteps(still) == 0 && still.Position[1] == 2.0,
     "no flow");
@@ -174,7 +174,7 @@ void TestLimits(Check& check)
   const Flow flow = Flow::Rotation(1.0);
   Lattice lattice = Cubes(8);
   lattice.Origin = { -4, -4, -4 };
-  const LatticeWalker<> walker(flow, lattice);
+  const LatticeWalker walker(flow, lattice);
   for (int integrator = vtkFlowSettings::AUTOMATIC; integrator <= vtkFlowSettings::ROSENBROCK;
        ++integrator)
   {
@@ -212,11 +212,11 @@ void TestNotFinite(Check& check)
   Lattice lattice = Cubes(4);
   lattice.IsFinite = [](const auto& cell) { return cell[0] != 2; };
   interlume::AdvectionOptions options = ForwardOptions();
-  auto result = Advect(LatticeWalker<>(flow, lattice), options, { 0.5, 0.5, 0.5 });
+  auto result = Advect(LatticeWalker(flow, lattice), options, { 0.5, 0.5, 0.5 });
   check.Equal(result.Status, vtkFlowStatus::NOT_FINITE, "a cell that is not finite");
   check.Near(result.Time, 1.5, 1e-14, "time to there");
   check.Near(result.Position[0], 2.0, 1e-14, "place there");
-  result = Advect(LatticeWalker<>(flow, lattice), options, { 2.5, 0.5, 0.5 });
+  result = Advect(LatticeWalker(flow, lattice), options, { 2.5, 0.5, 0.5 });
   check.That(result.Status == vtkFlowStatus::NOT_FINITE && result.Time == 0.0, "a sample in it");
   // A field that is NaN from x = 2 in the midst of a cell, and one that becomes infinite there.
   Flow wall = flow;
@@ -267,13 +267,13 @@ void TestRoots(Check& check)
       }
       powers = next;
     }
-    interlume::DenseOutput dense;
+    interlume::DenseOutput<double> dense{};
     dense.Degree = static_cast<int>(powers.size()) - 1;
     for (std::size_t i = 0; i < powers.size(); ++i)
     {
       dense.Coefficients[i][0] = powers[i];
     }
-    double points[interlume::DenseOutput::MaximumDegree + 1][3];
+    double points[interlume::DenseOutput<double>::MaximumDegree + 1][3];
     dense.GetControlPoints(points);
     std::vector<double> bernstein;
     for (int i = 0; i <= dense.Degree; ++i)
@@ -371,13 +371,13 @@ void TestReuse(Check& check)
   interlume::AdvectionOptions options = ForwardOptions();
   options.Surfaces.push_back({ sphere, 4 });
   options.MaximumTime = 20.0;
-  interlume::Advection<LatticeWalker<>> advection(LatticeWalker<>(flow, lattice), options);
+  interlume::Advection<LatticeWalker> advection(LatticeWalker(flow, lattice), options);
   interlume::AdvectionResult result;
   for (int i = 0; i < 200; ++i)
   {
     const Place start = { 0.03 * i, 6.0 - 0.029 * i, 1.0 + 0.02 * i };
     advection.Follow(start.data(), result);
-    const auto alone = Advect(LatticeWalker<>(flow, lattice), options, start);
+    const auto alone = Advect(LatticeWalker(flow, lattice), options, start);
     check.That(result.Status == alone.Status && result.Time == alone.Time &&
         result.Position[0] == alone.Position[0] && result.Steps == alone.Steps &&
         result.Evaluations == alone.Evaluations &&

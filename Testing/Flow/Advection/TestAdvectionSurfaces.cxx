@@ -31,8 +31,7 @@ std::vector<interlume::AdvectionResult> AdvectInAll(
   const Flow& flow, const interlume::AdvectionOptions& options, const Place& start)
 {
   return { Advect(SpaceWalker(flow), options, start),
-    Advect(LatticeWalker<>(flow, Cells), options, start),
-    Advect(LatticeWalker<true>(flow, Cells), options, start) };
+    Advect(LatticeWalker(flow, Cells), options, start) };
 }
 
 struct Answer
@@ -368,7 +367,7 @@ void TestBoundary(Check& check)
     KeepingOptions options = ForwardOptions();
     options.DomainFaces = true;
     options.DomainFaceId = 7;
-    const auto result = Advect(LatticeWalker<>(along, Cells), options, { 1, 2, 3 });
+    const auto result = Advect(LatticeWalker(along, Cells), options, { 1, 2, 3 });
     const double parts[3] = { 11.0 / 20.0, 12.0 / 20.0, 13.0 / 20.0 };
     const double u = face / 2 == 0 ? parts[1] : parts[0];
     const double v = face / 2 == 2 ? parts[1] : parts[2];
@@ -392,7 +391,7 @@ void TestCounts(Check& check)
   };
   KeepingOptions options = ForwardOptions({ counted });
   options.MaximumTime = 100.0;
-  const auto far = Advect(LatticeWalker<>(flow, Cells), options, { 3, 0, 0 });
+  const auto far = Advect(LatticeWalker(flow, Cells), options, { 3, 0, 0 });
   check.Equal(far.DistanceEvaluations, calls, "distances are counted");
   check.That(NumberOfSteps(far) > 500 && calls <= 2,
     std::to_string(calls) + " distances of a surface far away");
@@ -402,7 +401,7 @@ void TestCounts(Check& check)
     ++calls;
     return x[0] - 3.0001;
   };
-  const auto near = Advect(LatticeWalker<>(flow, Cells), options, { 3, 0, 0 });
+  const auto near = Advect(LatticeWalker(flow, Cells), options, { 3, 0, 0 });
   check.Equal(near.Status, vtkFlowStatus::OUT_OF_TIME, "never met");
   check.Equal(near.DistanceEvaluations, calls, "distances are counted");
   check.That(calls < 3 * NumberOfSteps(near),

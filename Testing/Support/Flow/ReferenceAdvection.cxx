@@ -32,13 +32,7 @@ interlume::AdvectionResult Advect(
 }
 
 interlume::AdvectionResult Advect(
-  const LatticeWalker<>& field, const interlume::AdvectionOptions& options, Place start)
-{
-  return AdvectIn(field, options, start);
-}
-
-interlume::AdvectionResult Advect(
-  const LatticeWalker<true>& field, const interlume::AdvectionOptions& options, Place start)
+  const LatticeWalker& field, const interlume::AdvectionOptions& options, Place start)
 {
   return AdvectIn(field, options, start);
 }

@@ -18,9 +18,7 @@ namespace reference
 interlume::AdvectionResult Advect(
   const SpaceWalker& field, const interlume::AdvectionOptions& options, Place start);
 interlume::AdvectionResult Advect(
-  const LatticeWalker<>& field, const interlume::AdvectionOptions& options, Place start);
-interlume::AdvectionResult Advect(
-  const LatticeWalker<true>& field, const interlume::AdvectionOptions& options, Place start);
+  const LatticeWalker& field, const interlume::AdvectionOptions& options, Place start);
 ///@}
 
 /// Options that keep their surfaces.

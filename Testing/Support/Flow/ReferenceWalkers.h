@@ -105,15 +105,10 @@ struct Lattice
 /**
  * @class   LatticeWalker
  * @brief   a flow on a lattice: p is from 0 to 1 in each box
- *
- * With \a curved distances from faces are p (2 - p) / 2 instead of p and so on: smooth, not affine.
  */
-template <bool IsCurved = false>
 class LatticeWalker : public interlume::CellWalker
 {
 public:
-  static constexpr bool FacesAreAffine = !IsCurved;
-
   LatticeWalker(const Flow& flow, const Lattice& lattice)
     : Field(&flow)
     , Grid(&lattice)
@@ -201,8 +196,7 @@ public:
   int GetNumberOfFaces() const { return 6; }
   double GetFaceDistance(int face, const double p[3]) const
   {
-    const double along = face % 2 == 0 ? p[face / 2] : 1.0 - p[face / 2];
-    return IsCurved ? 0.5 * along * (2.0 - along) : along;
+    return face % 2 == 0 ? p[face / 2] : 1.0 - p[face / 2];
   }
   bool Cross(int face, double p[3])
   {

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_StepMeasures_h
+#define interlume_StepMeasures_h
+
+#include "Cells/MultilinearCell.h"
+#include "Common/Vectors.h"
+#include "Numerics/DenseOutput.h"
+#include "Numerics/NumberMath.h"
+
+#include <type_traits>
+
+namespace interlume
+{
+
+/**
+ * @class   StepMeasures
+ * @brief   computes the error and the reach of a step in world units
+ *
+ * Lengths of lanes are right only where no square overflows or underflows: masks named isOrdinary
+ * lose the other lanes. Doubles are always right, and keep their mask.
+ */
+template <typename Number>
+class StepMeasures
+{
+public:
+  using Math = NumberMath<Number>;
+  using Mask = typename Math::Mask;
+
+  /// Returns a mask of where the root of a square is the length.
+  static Mask IsOrdinary(const Number& square)
+  {
+    return (square > 1e-280) & (square < Math::Of(1e280));
+  }
+
+  /**
+   * Returns the error of a step less the part that the field itself damps. In a direction in which
+   * errors decay as exp(-t / d), the errors of all steps add up to e / (1 - exp(-h / d)), not to e
+   * t / h: by 1 - exp(-z) ~ z / (1 + z), and over the time t, to (h + d) / (t + d) of that. \a time
+   * is t, the time through a cell, or since the start.
+   */
+  template <typename Walker, typename Method>
+  static Number GetLastingError(const Walker& field, const Number p[3], const Method& method,
+    const Number& h, const Number& time, Mask& isOrdinary)
+  {
+    Number error[3];
+    field.GetWorldVector(p, method.Error, error);
+    Number direction[3];
+    const Number damping = method.GetDamping(direction);
+    const Mask isDamped = (damping > 0.1) & (h < time);
+    if (Math::IsAny(isDamped))
+    {
+      Number axis[3];
+      field.GetWorldVector(p, direction, axis);
+      isOrdinary &= StepMeasures::Scale(axis) | Math::Not(isDamped);
+      const Number part = Math::Dot(error, axis) / Math::Dot(axis, axis);
+      const Number lost = 1.0 - (1.0 + damping) / (1.0 + damping * (time / h));
+      for (int i = 0; i < 3; ++i)
+      {
+        error[i] = Math::Select(isDamped, error[i] - part * lost * axis[i], error[i]);
+      }
+    }
+    return StepMeasures::GetLength(error, isOrdinary);
+  }
+
+  /// Returns how far a step in a cell of constant frame can go: no part of it goes farther than its
+  /// fraction of this, for any rounding. \a points are control points.
+  template <typename Walker>
+  static Number GetAffineReach(const Walker& field, const Number p[3],
+    const DenseOutput<Number>& dense, const Number (*points)[3], Mask& isOrdinary)
+  {
+    const auto getWorldSlope = [&](int j, Number world[3])
+    {
+      Number slope[3];
+      dense.GetSlope(points, j, slope);
+      field.GetWorldVector(p, slope, world);
+    };
+    Number world[3];
+    Number square = Math::Of(0.0);
+    for (int j = 0; j < dense.Degree; ++j)
+    {
+      getWorldSlope(j, world);
+      square = Math::Max(square, Math::Dot(world, world));
+    }
+    Number length = Math::Sqrt(square);
+    if constexpr (!IsDouble)
+    {
+      isOrdinary &= IsOrdinary(square);
+    }
+    else if (!IsOrdinary(square))
+    {
+      length = 0.0;
+      for (int j = 0; j < dense.Degree; ++j)
+      {
+        getWorldSlope(j, world);
+        length = Math::Max(length, StepMeasures::GetLength(world, isOrdinary));
+      }
+    }
+    return ReachMargin * length;
+  }
+
+  static constexpr double ReachMargin = 1.01;
+
+private:
+  static constexpr bool IsDouble = std::is_same_v<Number, double>;
+
+  static Number GetLength(const Number v[3], Mask& isOrdinary)
+  {
+    if constexpr (IsDouble)
+    {
+      return Vectors::SafeLength(glm::make_vec3(v));
+    }
+    else
+    {
+      const Number square = Math::Dot(v, v);
+      const Number largest =
+        Math::Max(Math::Abs(v[0]), Math::Max(Math::Abs(v[1]), Math::Abs(v[2])));
+      isOrdinary &= IsOrdinary(square) | (largest == Math::Of(0.0));
+      return Math::Sqrt(square);
+    }
+  }
+
+  /// Brings doubles to a length of about 1. Returns a mask of where the square has a root.
+  static Mask Scale(Number v[3])
+  {
+    if constexpr (IsDouble)
+    {
+      const double scale = MultilinearCell::GetScale(Vectors::InfinityNorm(glm::make_vec3(v)));
+      for (int i = 0; i < 3; ++i)
+      {
+        v[i] *= scale;
+      }
+      return true;
+    }
+    else
+    {
+      return IsOrdinary(Math::Dot(v, v));
+    }
+  }
+};
+
+}
+
+#endif

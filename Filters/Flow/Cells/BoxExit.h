@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_BoxExit_h
+#define interlume_BoxExit_h
+
+#include "Numerics/BernsteinRoot.h"
+#include "Numerics/NumberMath.h"
+
+#include <limits>
+
+namespace interlume
+{
+
+/**
+ * @class   BoxExit
+ * @brief   finds the face by which a step leaves the cell [0,1]^3, for one streamline or several
+ *
+ * Results are clear for steps that cross each face at most once, from a point that is not on a face
+ * to be crossed. CellExit has to find the others. Distances are in widths of the cell.
+ */
+template <typename Number>
+class BoxExit
+{
+public:
+  using Math = NumberMath<Number>;
+  using Mask = typename Math::Mask;
+
+  /// The distance by which a streamline along a face may be outside of it.
+  static constexpr double Tolerance = 1e-12;
+
+  /// Looks from \a p along \a rate. Returns a mask of the points that are at no face to be crossed.
+  Mask Approach(const Number p[3], const Number rate[3])
+  {
+    const Number zero = Math::Of(0.0);
+    this->Fastest = zero;
+    this->Outside = zero;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Fastest = Math::Max(this->Fastest, Math::Abs(rate[axis]));
+      this->Distances[2 * axis] = p[axis];
+      this->Distances[2 * axis + 1] = 1.0 - p[axis];
+    }
+    const Number least = -1e-12 * this->Fastest;
+    Mask isInside = zero == zero;
+    for (int face = 0; face < 6; ++face)
+    {
+      const Number& distance = this->Distances[face];
+      const Number outside = Math::Max(zero, -distance);
+      this->Outside = Math::Max(this->Outside, outside);
+      this->Slacks[face] = 2.0 * outside + Tolerance;
+      const Number away = face & 1 ? -rate[face >> 1] : rate[face >> 1];
+      isInside &=
+        Math::Not(((away < least) & (distance <= Tolerance)) | (distance < Math::Of(-MuchOutside)));
+    }
+    this->TimeLimit = Math::Of(std::numeric_limits<double>::infinity());
+    this->FaceAhead = zero;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Mask isDown = rate[axis] < zero;
+      const Number ahead =
+        Math::Select(isDown, this->Distances[2 * axis], this->Distances[2 * axis + 1]);
+      const Number time = (1.1 * Math::Max(zero, ahead) + 0.05) / Math::Abs(rate[axis]);
+      const Number face = Math::Select(isDown, Math::Of(2.0 * axis), Math::Of(2.0 * axis + 1.0));
+      this->FaceAhead = Math::Select(time < this->TimeLimit, face, this->FaceAhead);
+      this->TimeLimit = Math::Min(this->TimeLimit, time);
+    }
+    return isInside;
+  }
+
+  /**
+   * Finds where steps first leave the cell, and by which face: BernsteinRoot::None and -1 where
+   * they do not. \a points are control points. Returns a mask of the clear results.
+   */
+  Mask Find(const Number (*points)[3], int degree, Number& first, Number& exitFace) const
+  {
+    first = Math::Of(BernsteinRoot::None);
+    exitFace = Math::Of(-1.0);
+    Sides sides;
+    Mask isClear = this->FindSides(points, degree, sides);
+    if (!Math::IsAny(isClear & sides.IsAnyLeft()))
+    {
+      return isClear;
+    }
+    // The distance from the face that is left, with the slack.
+    Number b[3][Size];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Number slack =
+        Math::Select(sides.IsUpper[axis], this->Slacks[2 * axis + 1], this->Slacks[2 * axis]);
+      for (int k = 0; k <= degree; ++k)
+      {
+        const Number& inside = points[k][axis];
+        b[axis][k] = Math::Select(sides.IsUpper[axis], 1.0 - inside, inside) + slack;
+      }
+    }
+    for (int round = 0; round < 3; ++round)
+    {
+      const Mask mask = isClear & sides.IsAnyLeft();
+      if (!Math::IsAny(mask))
+      {
+        break;
+      }
+      Number own[Size];
+      Number slack;
+      Number face;
+      this->TakeNext(b, degree, sides, own, slack, face);
+      Number root;
+      Number theta;
+      isClear &= BoxExit::FindCrossing(own, degree, slack, mask, root, theta) | Math::Not(mask);
+      const Mask isFirst = mask & ((theta < first) | ((theta == first) & (face < exitFace)));
+      first = Math::Select(isFirst, theta, first);
+      exitFace = Math::Select(isFirst, face, exitFace);
+      if (round < 2 && Math::IsAny(sides.IsAnyLeft()))
+      {
+        // A face that the streamline stays inside of for somewhat longer does not come first.
+        const Number end = root + Math::Of(Margin);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          sides.IsLeft[axis] &= Math::Not(BoxExit::IsInside(b[axis], degree, end));
+        }
+      }
+    }
+    return isClear;
+  }
+
+  /// Moves a root of a distance with slack back to where the distance is 0. A streamline that
+  /// hardly goes outward stays where it is.
+  static Number MoveBack(const Number* b, int degree, const Number& slack, const Number& root)
+  {
+    Number at[Size];
+    for (int k = 0; k <= degree; ++k)
+    {
+      at[k] = b[k];
+    }
+    Number slope = Math::Of(0.0);
+    for (int level = 1; level <= degree; ++level)
+    {
+      slope = double(degree) * (at[1] - at[0]);
+      BoxExit::Subdivide(at, degree - level, root);
+    }
+    return Math::Select(slope < -1e4 * slack, Math::Max(Math::Of(0.0), root + slack / slope), root);
+  }
+
+  /// The time until the end of a straight step is somewhat outside of the cell.
+  Number TimeLimit;
+  /// The face that a straight step is likely to leave by.
+  Number FaceAhead;
+  /// The largest rate at which a distance from a face changes, in widths per unit of time.
+  Number Fastest;
+
+protected:
+  static constexpr int Size = BernsteinRoot::MaximumDegree + 1;
+  /// The distance by which a step may overshoot a face.
+  static constexpr double LargestOvershoot = 0.5;
+  /// The distance from a face from which on a streamline outside of it does not come back.
+  static constexpr double MuchOutside = 1e-6;
+
+  Number Outside;
+  Number Distances[6];
+  Number Slacks[6];
+
+private:
+  /// The fraction of a step by which a root must be behind another one. Neither rounding nor the
+  /// slack then changes which is first.
+  static constexpr double Margin = 1e-3;
+
+  /// The faces that a step may leave by: along each axis at most one.
+  struct Sides
+  {
+    Mask IsUpper[3];
+    Mask IsLeft[3];
+
+    Mask IsAnyLeft() const { return this->IsLeft[0] | this->IsLeft[1] | this->IsLeft[2]; }
+  };
+
+  /// Finds the faces that control points are outside of. Returns a mask of the steps that do not
+  /// end far outside, and have control points outside of one face of an axis only.
+  Mask FindSides(const Number (*points)[3], int degree, Sides& sides) const
+  {
+    Number end = Math::Of(std::numeric_limits<double>::infinity());
+    Mask isClear = end == end;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Number low = points[0][axis];
+      Number high = points[0][axis];
+      for (int k = 1; k <= degree; ++k)
+      {
+        low = Math::Min(low, points[k][axis]);
+        high = Math::Max(high, points[k][axis]);
+      }
+      end = Math::Min(end, Math::Min(points[degree][axis], 1.0 - points[degree][axis]));
+      const Mask isLow = low <= -this->Slacks[2 * axis];
+      sides.IsUpper[axis] = 1.0 - high <= -this->Slacks[2 * axis + 1];
+      sides.IsLeft[axis] = isLow | sides.IsUpper[axis];
+      isClear &= Math::Not(isLow & sides.IsUpper[axis]);
+    }
+    return isClear & Math::Not(end < Math::Of(-LargestOvershoot) - this->Outside);
+  }
+
+  /// Takes one face of each lane out of \a sides: most often the one to which a straight way is
+  /// shortest is the one that is left.
+  void TakeNext(const Number (*b)[Size], int degree, Sides& sides, Number* own, Number& slack,
+    Number& face) const
+  {
+    const Mask isSecond =
+      sides.IsLeft[1] & (Math::Not(sides.IsLeft[0]) | BoxExit::IsBefore(b[1], b[0], degree));
+    Mask isThis[3];
+    isThis[2] = sides.IsLeft[2] &
+      ((isSecond & BoxExit::IsBefore(b[2], b[1], degree)) |
+        (Math::Not(isSecond) &
+          (Math::Not(sides.IsLeft[0]) | BoxExit::IsBefore(b[2], b[0], degree))));
+    isThis[1] = isSecond & Math::Not(isThis[2]);
+    isThis[0] = Math::Not(isThis[1]) & Math::Not(isThis[2]);
+    for (int k = 0; k <= degree; ++k)
+    {
+      own[k] = Math::Select(isThis[2], b[2][k], Math::Select(isThis[1], b[1][k], b[0][k]));
+    }
+    slack = Math::Of(0.0);
+    face = Math::Of(0.0);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Mask isUpper = sides.IsUpper[axis];
+      slack = Math::Select(isThis[axis],
+        Math::Select(isUpper, this->Slacks[2 * axis + 1], this->Slacks[2 * axis]), slack);
+      face = Math::Select(isThis[axis],
+        Math::Select(isUpper, Math::Of(2.0 * axis + 1.0), Math::Of(2.0 * axis)), face);
+      sides.IsLeft[axis] &= Math::Not(isThis[axis]);
+    }
+  }
+
+  /// Returns a mask of where the straight way from the first to the last of \a one falls below 0
+  /// before that of \a other.
+  static Mask IsBefore(const Number* one, const Number* other, int degree)
+  {
+    return one[0] * (other[0] - other[degree]) < other[0] * (one[0] - one[degree]);
+  }
+
+  /// Replaces the first \a number coefficients by those of the part up to \a theta, one level of
+  /// de Casteljau's method.
+  static void Subdivide(Number* b, int number, const Number& theta)
+  {
+    for (int i = 0; i <= number; ++i)
+    {
+      b[i] = b[i] + theta * (b[i + 1] - b[i]);
+    }
+  }
+
+  /// Returns a mask of where a polynomial is above 0 from 0 to \a end, by its control points there.
+  static Mask IsInside(const Number* b, int degree, const Number& end)
+  {
+    const Number zero = Math::Of(0.0);
+    Number at[Size];
+    for (int k = 0; k <= degree; ++k)
+    {
+      at[k] = b[k];
+    }
+    Mask isInside = zero < b[0];
+    for (int level = 1; level <= degree; ++level)
+    {
+      BoxExit::Subdivide(at, degree - level, end);
+      isInside &= zero < at[0];
+    }
+    return isInside;
+  }
+
+  /// Finds the root of a distance that is not negative at first and changes sign at most once, 1
+  /// without one, and the same moved back. Returns a mask of where that is so.
+  static Mask FindCrossing(
+    const Number* b, int degree, const Number& slack, const Mask& mask, Number& root, Number& theta)
+  {
+    const Number zero = Math::Of(0.0);
+    Mask isNegative = b[0] < zero;
+    const Mask isClear = Math::Not(isNegative);
+    Mask hasChanged = zero < zero;
+    Mask hasChangedAgain = hasChanged;
+    for (int k = 1; k <= degree; ++k)
+    {
+      const Mask isBelow = b[k] < zero;
+      hasChangedAgain |= hasChanged & (isNegative ^ isBelow);
+      hasChanged |= isNegative ^ isBelow;
+      isNegative = isBelow;
+    }
+    const Mask isOne = mask & isClear & hasChanged & Math::Not(hasChangedAgain);
+    root = Math::Select(isOne, BernsteinRoot::FindOnly(b, degree, isOne), Math::Of(1.0));
+    theta =
+      Math::Select(isOne, BoxExit::MoveBack(b, degree, slack, root), Math::Of(BernsteinRoot::None));
+    return isClear & Math::Not(hasChangedAgain);
+  }
+};
+
+}
+
+#endif
