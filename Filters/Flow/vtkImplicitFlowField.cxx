@@ -65,12 +65,6 @@ bool HasRows(vtkDataObject* data)
   return vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
     vtkStructuredGrid::SafeDownCast(data);
 }
-
-/// Returns the number of points of the whole field. \a ranks is null where it is not in parts.
-vtkIdType GetNumberOfPoints(vtkDataSet* field, interlume::RankField* ranks)
-{
-  return ranks ? ranks->GetNumberOfPoints() : field->GetNumberOfPoints();
-}
 }
 
 vtkImplicitFlowField::vtkImplicitFlowField()
@@ -386,152 +380,224 @@ bool vtkImplicitFlowField::IsInParts(
   return reason.empty();
 }
 
+struct vtkImplicitFlowField::Execution
+{
+  Execution(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs,
+    const vtkFlowSettings& settings)
+    : Request(request)
+    , Inputs(inputs)
+    , Outputs(outputs)
+    , Output(vtkDataSet::GetData(outputs))
+    , Input(vtkDataObject::GetData(inputs[0], 0))
+    , Options(settings)
+  {
+  }
+
+  vtkInformation* Request;
+  vtkInformationVector** Inputs;
+  vtkInformationVector* Outputs;
+  vtkDataSet* Output;
+  interlume::FieldInput Input;
+  interlume::AdvectionOptions Options;
+
+  std::string Error;
+  /// The reason why each of several processes has the whole field.
+  std::string WholeReason;
+  /// Null unless processes hold parts of the field.
+  std::unique_ptr<interlume::RankField> Ranks;
+  /// The whole field, perhaps without arrays, and the data that this process has of it.
+  vtkSmartPointer<vtkDataSet> Field;
+  vtkSmartPointer<vtkDataSet> Data;
+  vtkDataArray* Vectors = nullptr;
+  vtkSmartPointer<vtkDataSet> Samples;
+  std::unique_ptr<interlume::FlowCheckpoint> Checkpoint;
+  vtkFlowReport Report;
+
+  vtkInformation* GetOutputInformation() const { return this->Outputs->GetInformationObject(0); }
+  /// Returns the first process's error if any process has one.
+  std::string Unite(const std::string& error) const
+  {
+    return this->Ranks ? this->Ranks->GetExchange().FindFirst(error) : error;
+  }
+  /// Returns whether streamlines need the whole field, as is seen from its parts.
+  bool NeedsWhole() const { return this->Ranks && !this->Ranks->GetObstacle().empty(); }
+  vtkIdType GetNumberOfPoints() const
+  {
+    return this->Ranks ? this->Ranks->GetNumberOfPoints() : this->Field->GetNumberOfPoints();
+  }
+};
+
 int vtkImplicitFlowField::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  Execution execution(request, inputs, outputs, *this);
   const vtkIdType executions = this->Report.Executions;
   this->Report = vtkFlowReport();
   this->Report.Executions = executions;
   this->UsedSurfaces.clear();
-  vtkDataSet* output = vtkDataSet::GetData(outputs);
   // Image data keep their active scalars from one execution to the next.
-  output->Initialize();
-  const interlume::FieldInput input(vtkDataObject::GetData(inputs[0], 0));
-  std::string reason;
-  std::unique_ptr<interlume::RankField> ranks;
-  const bool isInParts = this->IsInParts(inputs, outputs, reason);
-  if (isInParts && this->IsAskedForWhole(request, reason))
+  execution.Output->Initialize();
+  Outcome outcome = Outcome::COMPLETE;
+  for (const auto step : { &vtkImplicitFlowField::CheckInput, &vtkImplicitFlowField::FindField,
+         &vtkImplicitFlowField::PrepareSamples, &vtkImplicitFlowField::FollowSamples })
   {
-    return 1;
+    outcome = outcome == Outcome::COMPLETE ? (this->*step)(execution) : outcome;
   }
-  std::string wrong = this->CheckBlocks(input);
-  vtkDataObject* given = vtkDataObject::GetData(inputs[0], 0);
-  if (isInParts && reason.empty())
+  return this->Finish(execution, outcome);
+}
+
+vtkImplicitFlowField::Outcome vtkImplicitFlowField::CheckInput(Execution& execution)
+{
+  const bool isInParts =
+    this->IsInParts(execution.Inputs, execution.Outputs, execution.WholeReason);
+  if (isInParts && this->IsAskedForWhole(execution.Request, execution.WholeReason))
   {
-    vtkInformation* info = inputs[0]->GetInformationObject(0);
-    ranks = std::make_unique<interlume::RankField>(this->Controller,
-      HasRows(given) ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()) : nullptr);
-    wrong = ranks->GetExchange().FindFirst(input.HasFlatBlocks() ? std::string() : wrong);
+    return Outcome::EMPTY;
   }
-  if (!wrong.empty())
+  execution.Error = this->CheckBlocks(execution.Input);
+  if (isInParts && execution.WholeReason.empty())
   {
-    vtkErrorMacro(<< wrong);
-    return 1;
+    vtkInformation* info = execution.Inputs[0]->GetInformationObject(0);
+    execution.Ranks = std::make_unique<interlume::RankField>(this->Controller,
+      HasRows(info->Get(vtkDataObject::DATA_OBJECT()))
+        ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
+        : nullptr);
+    execution.Error =
+      execution.Unite(execution.Input.HasFlatBlocks() ? std::string() : execution.Error);
   }
-  vtkSmartPointer<vtkDataSet> field = ranks ? input.MakePart() : input.MakeField();
-  vtkDataSet* data = field;
+  return execution.Error.empty() ? Outcome::COMPLETE : Outcome::FAILED;
+}
+
+vtkImplicitFlowField::Outcome vtkImplicitFlowField::FindField(Execution& execution)
+{
+  interlume::RankField* ranks = execution.Ranks.get();
+  execution.Field = ranks ? execution.Input.MakePart() : execution.Input.MakeField();
+  execution.Data = execution.Field;
   if (ranks)
   {
-    const std::string lack = ranks->SetData(
-      field, interlume::SampleGrid::MostPoints, interlume::FieldInput::IsComposite(given));
-    if (!lack.empty())
+    execution.Error = ranks->SetData(execution.Field, interlume::SampleGrid::MostPoints,
+      interlume::FieldInput::IsComposite(vtkDataObject::GetData(execution.Inputs[0], 0)));
+    if (!execution.Error.empty() || execution.NeedsWhole())
     {
-      vtkErrorMacro(<< lack);
-      return 1;
+      return execution.Error.empty() ? Outcome::NEEDS_WHOLE : Outcome::FAILED;
     }
-    if (!ranks->GetObstacle().empty())
-    {
-      this->AskForWhole(request, ranks->GetObstacle());
-      return 1;
-    }
-    field = ranks->GetWhole();
-    data = ranks->GetData();
+    execution.Field = ranks->GetWhole();
+    execution.Data = ranks->GetData();
   }
-  if (!field || field->GetNumberOfPoints() == 0)
+  if (execution.Field && execution.Field->GetNumberOfPoints() > 0)
   {
-    // A piece of several may have none.
-    vtkInformation* information = outputs->GetInformationObject(0);
-    if (information->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) <= 1)
-    {
-      vtkWarningMacro("The output is empty: the input has no points.");
-    }
-    return 1;
+    return Outcome::COMPLETE;
   }
-  interlume::AdvectionOptions options(*this);
+  // A piece of several may have none.
+  if (interlume::OutputPiece::IsWhole(execution.GetOutputInformation()))
+  {
+    vtkWarningMacro("The output is empty: the input has no points.");
+  }
+  return Outcome::EMPTY;
+}
+
+vtkImplicitFlowField::Outcome vtkImplicitFlowField::PrepareSamples(Execution& execution)
+{
+  interlume::RankField* ranks = execution.Ranks.get();
   const bool isSampled = this->SampleMode == SAMPLES_OF_IMAGE ||
     (this->SampleMode == SAMPLES_AUTOMATIC &&
-      GetNumberOfPoints(field, ranks.get()) > interlume::SampleGrid::MostPoints);
-  options.SamplingChecks = isSampled ? this->SamplingChecks : 0;
-  vtkSmartPointer<vtkDataSet> samples = output;
+      execution.GetNumberOfPoints() > interlume::SampleGrid::MostPoints);
+  execution.Options.SamplingChecks = isSampled ? this->SamplingChecks : 0;
+  execution.Samples = execution.Output;
   if (this->RefinementLevels > 0)
   {
-    samples = this->MakeSamples(inputs);
+    execution.Samples = this->MakeSamples(execution.Inputs);
   }
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* vectors = this->GetInputArrayToProcess(0, data, association);
-  std::string error;
+  execution.Vectors = this->GetInputArrayToProcess(0, execution.Data, association);
   if (!ranks || !ranks->IsEmpty())
   {
-    error = interlume::FieldVectors::CheckVectors(
-      data, vectors, association, this->GetInputArrayInformation(0));
+    execution.Error = interlume::FieldVectors::CheckVectors(
+      execution.Data, execution.Vectors, association, this->GetInputArrayInformation(0));
   }
-  error = ranks ? ranks->GetExchange().FindFirst(error) : error;
-  const bool isWrong = error.empty() &&
-    (!this->SetSamples(input, field, ranks.get(), inputs, outputs, samples) ||
-      !this->PlaceSurfaces(field, vectors, options));
-  if (ranks ? ranks->GetExchange().IsAnywhere(isWrong) : isWrong)
+  execution.Error = execution.Unite(execution.Error);
+  if (!execution.Error.empty())
   {
-    output->Initialize();
-    return 1;
+    return Outcome::FAILED;
   }
+  execution.Error = this->SetSamples(execution);
+  if (execution.Error.empty())
+  {
+    execution.Error = this->PlaceSurfaces(execution);
+  }
+  // Each process reports its own error.
+  const bool isWrong = !execution.Error.empty();
+  return (ranks ? ranks->GetExchange().IsAnywhere(isWrong) : isWrong) ? Outcome::FAILED
+                                                                      : Outcome::COMPLETE;
+}
+
+vtkImplicitFlowField::Outcome vtkImplicitFlowField::FollowSamples(Execution& execution)
+{
   this->SetProgressText("Following the streamline of every sample");
-  vtkFlowReport report;
-  std::unique_ptr<interlume::FlowCheckpoint> checkpoint;
-  bool isAborted = this->GetAbortExecute();
-  if (error.empty())
+  const bool wasAborted = this->GetAbortExecute();
+  if (this->CriticalPointSpheres)
   {
-    if (this->CriticalPointSpheres)
-    {
-      this->AddSpheres(field, options);
-    }
-    interlume::ImplicitFlowRun run(this, options, field, vectors);
-    run.SetHidden(input.HasHidden());
-    if (ranks)
-    {
-      run.SetRanks(ranks.get());
-    }
-    if (!this->CheckpointFileName.empty())
-    {
-      checkpoint = this->OpenCheckpoint(outputs->GetInformationObject(0),
-        interlume::FlowFingerprint(
-          options, ranks ? ranks->GetData() : field.GetPointer(), vectors, samples),
-        ranks ? &ranks->GetExchange() : nullptr);
-      run.SetCheckpoint(checkpoint.get());
-    }
-    error = run.Execute(samples);
-    if (ranks && !ranks->GetObstacle().empty())
-    {
-      output->Initialize();
-      this->UsedSurfaces.clear();
-      this->AskForWhole(request, ranks->GetObstacle());
-      return 1;
-    }
-    report = run.GetReport();
-    report.WholeFieldReason = reason;
-    isAborted = isAborted || run.WasAborted();
-    this->Mesh = run.GetMesh();
-    if (run.GetRefined())
-    {
-      output->ShallowCopy(run.GetRefined());
-    }
+    this->AddSpheres(execution.Field, execution.Options);
   }
-  if (!error.empty())
+  interlume::ImplicitFlowRun run(this, execution.Options, execution.Field, execution.Vectors);
+  run.SetHidden(execution.Input.HasHidden());
+  if (execution.Ranks)
   {
-    vtkErrorMacro(<< error);
+    run.SetRanks(execution.Ranks.get());
   }
-  isAborted = isAborted || this->GetAbortExecute();
-  if (!error.empty() || isAborted)
+  this->OpenCheckpoint(execution);
+  run.SetCheckpoint(execution.Checkpoint.get());
+  execution.Error = run.Execute(execution.Samples);
+  if (execution.NeedsWhole())
   {
-    output->Initialize();
-    return isAborted ? interlume::AbortCheck::Leave(outputs) : 1;
+    return Outcome::NEEDS_WHOLE;
   }
-  if (checkpoint)
+  execution.Report = run.GetReport();
+  this->Mesh = run.GetMesh();
+  if (wasAborted || run.WasAborted() || this->GetAbortExecute())
   {
-    checkpoint->Remove();
+    return Outcome::ABORTED;
   }
-  this->Report = report;
-  this->Report.Executions = executions + 1;
-  this->Finish(outputs->GetInformationObject(0), vectors ? vectors->GetName() : nullptr, output);
+  if (!execution.Error.empty())
+  {
+    return Outcome::FAILED;
+  }
+  if (run.GetRefined())
+  {
+    execution.Output->ShallowCopy(run.GetRefined());
+  }
+  return Outcome::COMPLETE;
+}
+
+int vtkImplicitFlowField::Finish(Execution& execution, Outcome outcome)
+{
+  if (!execution.Error.empty())
+  {
+    vtkErrorMacro(<< execution.Error);
+  }
+  if (outcome == Outcome::NEEDS_WHOLE)
+  {
+    this->UsedSurfaces.clear();
+    this->AskForWhole(execution.Request, execution.Ranks->GetObstacle());
+  }
+  if (outcome != Outcome::COMPLETE)
+  {
+    execution.Output->Initialize();
+    return outcome == Outcome::ABORTED ? interlume::AbortCheck::Leave(execution.Outputs) : 1;
+  }
+  if (execution.Checkpoint)
+  {
+    execution.Checkpoint->Remove();
+  }
+  execution.Report.WholeFieldReason = execution.WholeReason;
+  execution.Report.Executions = this->Report.Executions + 1;
+  this->Report = execution.Report;
+  execution.Output->GetPointData()->SetActiveScalars(vtkFlowStatus::TimeArray());
+  if (this->Report.Samples > 0 && interlume::OutputPiece::IsWhole(execution.GetOutputInformation()))
+  {
+    this->WarnOfField(execution.Vectors ? execution.Vectors->GetName() : nullptr);
+    this->WarnIfNoneReached();
+  }
   return 1;
 }
 
@@ -576,26 +642,27 @@ void vtkImplicitFlowField::AskForWhole(vtkInformation* request, const std::strin
   request->Set(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING(), 1);
 }
 
-std::unique_ptr<interlume::FlowCheckpoint> vtkImplicitFlowField::OpenCheckpoint(
-  vtkInformation* info, interlume::FlowFingerprint&& fingerprint, interlume::RankExchange* exchange)
+void vtkImplicitFlowField::OpenCheckpoint(Execution& execution)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  auto checkpoint = std::make_unique<interlume::FlowCheckpoint>(
-    interlume::FlowCheckpoint::GetPieceName(this->CheckpointFileName,
-      info->Get(Pipeline::UPDATE_PIECE_NUMBER()), info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())),
-    this->CheckpointInterval, std::move(fingerprint), static_cast<int>(this->MeanArrays.size()),
-    [this](const std::string& wrong) { vtkWarningMacro(<< wrong); });
-  checkpoint->Open(exchange);
-  return checkpoint;
-}
-
-void vtkImplicitFlowField::Finish(vtkInformation* info, const char* vectors, vtkDataSet* output)
-{
-  output->GetPointData()->SetActiveScalars(vtkFlowStatus::TimeArray());
-  if (this->Report.Samples == 0 || !interlume::OutputPiece::IsWhole(info))
+  if (this->CheckpointFileName.empty())
   {
     return;
   }
+  vtkInformation* info = execution.GetOutputInformation();
+  execution.Checkpoint = std::make_unique<interlume::FlowCheckpoint>(
+    interlume::FlowCheckpoint::GetPieceName(this->CheckpointFileName,
+      info->Get(Pipeline::UPDATE_PIECE_NUMBER()), info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())),
+    this->CheckpointInterval,
+    interlume::FlowFingerprint(
+      execution.Options, execution.Data, execution.Vectors, execution.Samples),
+    static_cast<int>(this->MeanArrays.size()),
+    [this](const std::string& error) { vtkWarningMacro(<< error); });
+  execution.Checkpoint->Open(execution.Ranks ? &execution.Ranks->GetExchange() : nullptr);
+}
+
+void vtkImplicitFlowField::WarnOfField(const char* vectors)
+{
   if (this->Report.OpenInterfaces > 0)
   {
     vtkWarningMacro("Streamlines end at " << this->Report.OpenInterfaces
@@ -618,6 +685,10 @@ void vtkImplicitFlowField::Finish(vtkInformation* info, const char* vectors, vtk
     vtkWarningMacro(<< interlume::DescribeNonFinite(this->Report.NonFiniteVectors, vectors,
                       "Streamlines end at cells with such points."));
   }
+}
+
+void vtkImplicitFlowField::WarnIfNoneReached()
+{
   if (!this->Report.Reached.empty())
   {
     return;
@@ -660,61 +731,61 @@ std::string vtkImplicitFlowField::CheckBlocks(const interlume::FieldInput& input
   return {};
 }
 
-bool vtkImplicitFlowField::SetSamples(const interlume::FieldInput& input, vtkDataSet* field,
-  interlume::RankField* ranks, vtkInformationVector** inputs, vtkInformationVector* outputs,
-  vtkDataSet* output)
+void vtkImplicitFlowField::SetImageSamples(Execution& execution)
+{
+  double bounds[6];
+  std::copy_n(this->SampleBounds, 6, bounds);
+  if (IsEmpty(bounds))
+  {
+    execution.Field->GetBounds(bounds);
+  }
+  vtkImageData* image = vtkImageData::SafeDownCast(execution.Samples);
+  double spacing[3];
+  double origin[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double length = bounds[2 * axis + 1] - bounds[2 * axis];
+    const int intervals = this->SampleDimensions[axis] - 1;
+    // A single point is in the center.
+    spacing[axis] = intervals > 0 && length > 0.0 ? length / intervals : 1.0;
+    origin[axis] = intervals > 0 ? bounds[2 * axis] : bounds[2 * axis] + 0.5 * length;
+  }
+  image->SetOrigin(origin);
+  image->SetSpacing(spacing);
+  const int whole[6] = { 0, this->SampleDimensions[0] - 1, 0, this->SampleDimensions[1] - 1, 0,
+    this->SampleDimensions[2] - 1 };
+  int extent[6];
+  this->GetExtent(execution.GetOutputInformation(), whole, extent);
+  image->SetExtent(extent);
+}
+
+std::string vtkImplicitFlowField::SetSamples(Execution& execution)
 {
   if (this->SampleMode == SAMPLES_OF_IMAGE)
   {
-    double bounds[6];
-    std::copy_n(this->SampleBounds, 6, bounds);
-    if (IsEmpty(bounds))
-    {
-      field->GetBounds(bounds);
-    }
-    vtkImageData* image = vtkImageData::SafeDownCast(output);
-    double spacing[3];
-    double origin[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double length = bounds[2 * axis + 1] - bounds[2 * axis];
-      const int intervals = this->SampleDimensions[axis] - 1;
-      // A point alone is in the middle.
-      spacing[axis] = intervals > 0 && length > 0.0 ? length / intervals : 1.0;
-      origin[axis] = intervals > 0 ? bounds[2 * axis] : bounds[2 * axis] + 0.5 * length;
-    }
-    image->SetOrigin(origin);
-    image->SetSpacing(spacing);
-    const int whole[6] = { 0, this->SampleDimensions[0] - 1, 0, this->SampleDimensions[1] - 1, 0,
-      this->SampleDimensions[2] - 1 };
-    int extent[6];
-    this->GetExtent(outputs->GetInformationObject(0), whole, extent);
-    image->SetExtent(extent);
-    return true;
+    this->SetImageSamples(execution);
+    return {};
   }
   vtkSmartPointer<vtkDataSet> samples;
   const int* whole = nullptr;
   bool isPiece = this->SampleMode == SAMPLES_OF_INPUT;
-  if (this->SampleMode == SAMPLES_OF_INPUT)
+  if (isPiece)
   {
-    samples = vtkDataSet::GetData(inputs[1]);
+    samples = vtkDataSet::GetData(execution.Inputs[1]);
     if (!samples)
     {
-      vtkErrorMacro("The samples are those of input port 1, and nothing is connected there.");
-      return false;
+      return "The samples are those of input port 1, and nothing is connected there.";
     }
   }
   else
   {
-    const bool mayBeFewer = this->SampleMode == SAMPLES_AUTOMATIC;
-    const bool areFewer =
-      mayBeFewer && GetNumberOfPoints(field, ranks) > interlume::SampleGrid::MostPoints;
-    vtkSmartPointer<vtkDataSet> points = field;
-    if (areFewer)
+    interlume::RankField* ranks = execution.Ranks.get();
+    vtkSmartPointer<vtkDataSet> points = execution.Field;
+    if (this->SampleMode == SAMPLES_AUTOMATIC &&
+      execution.GetNumberOfPoints() > interlume::SampleGrid::MostPoints)
     {
-      const bool isImage = vtkImageData::SafeDownCast(field) != nullptr;
-      points = ranks && !isImage ? interlume::RankSamples::Make(*ranks)
-                                 : interlume::SampleGrid::Make(field);
+      points = ranks && !vtkImageData::SafeDownCast(points) ? interlume::RankSamples::Make(*ranks)
+                                                            : interlume::SampleGrid::Make(points);
     }
     else if (ranks)
     {
@@ -722,20 +793,19 @@ bool vtkImplicitFlowField::SetSamples(const interlume::FieldInput& input, vtkDat
       whole = ranks->GetPart().WholeExtent;
       isPiece = vtkUnstructuredGrid::SafeDownCast(points) != nullptr;
     }
-    samples = input.MakeSamples(points);
+    samples = execution.Input.MakeSamples(points);
   }
-  const std::string fault = interlume::ArrayCheck::FindLengthFault(samples);
-  if (!fault.empty())
+  const std::string error = interlume::ArrayCheck::FindLengthFault(samples);
+  if (!error.empty())
   {
-    vtkErrorMacro(<< interlume::ArrayCheck::MakeSentence("the samples cannot be used: " + fault));
-    return false;
+    return interlume::ArrayCheck::MakeSentence("the samples cannot be used: " + error);
   }
-  output->ShallowCopy(samples);
+  execution.Samples->ShallowCopy(samples);
   if (!isPiece)
   {
-    this->CutPiece(outputs->GetInformationObject(0), whole, output);
+    this->CutPiece(execution.GetOutputInformation(), whole, execution.Samples);
   }
-  return true;
+  return {};
 }
 
 void vtkImplicitFlowField::CutPiece(
@@ -773,17 +843,29 @@ void vtkImplicitFlowField::GetExtent(vtkInformation* info, const int whole[6], i
   }
 }
 
-bool vtkImplicitFlowField::PlaceSurfaces(
-  vtkDataSet* field, vtkDataArray* vectors, interlume::AdvectionOptions& options)
+std::string vtkImplicitFlowField::PlaceSurfaces(Execution& execution)
 {
   if (this->Surfaces.empty() && !this->DomainFaces && !this->CriticalPointSpheres)
   {
-    vtkErrorMacro("There is nothing to end at: no termination surface, DomainFaces and "
-                  "CriticalPointSpheres are off.");
-    return false;
+    return "There is nothing to end at: no termination surface, DomainFaces and "
+           "CriticalPointSpheres are off.";
+  }
+  for (std::size_t i = 0; i < this->Surfaces.size(); ++i)
+  {
+    vtkTerminationSurface* surface = this->Surfaces[i];
+    std::string error =
+      surface->PlaceIn(execution.Field, execution.Vectors, this->Direction == BACKWARD);
+    error = error.empty() ? surface->Update() : error;
+    if (!error.empty())
+    {
+      return "Termination surface " + std::to_string(i) + " (" + surface->GetClassName() +
+        "): " + error;
+    }
   }
   // Automatic ids are those that are free, in the order of the surfaces.
   std::set<int> taken;
+  const auto isFree = [&taken](int first, int parts)
+  { return taken.lower_bound(first) == taken.lower_bound(first + parts); };
   for (const auto& surface : this->Surfaces)
   {
     for (int part = 0; surface->GetId() >= 0 && part < surface->GetNumberOfParts(); ++part)
@@ -792,41 +874,22 @@ bool vtkImplicitFlowField::PlaceSurfaces(
     }
   }
   int next = 0;
-  for (std::size_t i = 0; i < this->Surfaces.size(); ++i)
+  for (vtkTerminationSurface* surface : this->Surfaces)
   {
-    vtkTerminationSurface* surface = this->Surfaces[i];
-    std::string error = surface->PlaceIn(field, vectors, this->Direction == BACKWARD);
-    error = error.empty() ? surface->Update() : error;
-    if (!error.empty())
-    {
-      vtkErrorMacro(
-        "Termination surface " << i << " (" << surface->GetClassName() << "): " << error);
-      return false;
-    }
     int id = surface->GetId();
     if (id < 0)
     {
-      const auto isFree = [&](int first)
-      {
-        for (int part = 0; part < surface->GetNumberOfParts(); ++part)
-        {
-          if (taken.count(first + part) > 0)
-          {
-            return false;
-          }
-        }
-        return true;
-      };
-      while (!isFree(next))
+      const int parts = surface->GetNumberOfParts();
+      while (!isFree(next, parts))
       {
         ++next;
       }
       id = next;
-      next += surface->GetNumberOfParts();
+      next += parts;
     }
-    this->UseSurface(surface, id, options);
+    this->UseSurface(surface, id, execution.Options);
   }
-  return true;
+  return {};
 }
 
 void vtkImplicitFlowField::UseSurface(

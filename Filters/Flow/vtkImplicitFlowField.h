@@ -20,11 +20,7 @@ class vtkTerminationSurface;
 namespace interlume
 {
 class FieldInput;
-class FlowCheckpoint;
-class FlowFingerprint;
 class MeshLinks;
-class RankExchange;
-class RankField;
 struct AdvectionOptions;
 }
 
@@ -479,27 +475,44 @@ private:
   bool IsAskedForWhole(vtkInformation* request, std::string& reason);
   void AskForWhole(vtkInformation* request, const std::string& obstacle);
   ///@}
-  /// Gives \a output the samples' geometry and point data. \a ranks is null where the field is
-  /// whole.
-  bool SetSamples(const interlume::FieldInput& input, vtkDataSet* field,
-    interlume::RankField* ranks, vtkInformationVector** inputs, vtkInformationVector* outputs,
-    vtkDataSet* output);
+  /// What an execution is given, and what its steps find. Defined where it is used.
+  struct Execution;
+  /// How a step ended; only after COMPLETE the next one follows. NEEDS_WHOLE: streamlines need
+  /// the whole field instead of parts. EMPTY: there is nothing to follow.
+  enum class Outcome
+  {
+    COMPLETE,
+    EMPTY,
+    NEEDS_WHOLE,
+    FAILED,
+    ABORTED
+  };
+  ///@{
+  /// The steps of an execution, in their order. Finish cleans up after any outcome, and returns
+  /// what RequestData is to return.
+  Outcome CheckInput(Execution& execution);
+  Outcome FindField(Execution& execution);
+  Outcome PrepareSamples(Execution& execution);
+  Outcome FollowSamples(Execution& execution);
+  int Finish(Execution& execution, Outcome outcome);
+  ///@}
+  /// Gives the samples their geometry and point data. Returns an error message, or an empty string
+  /// on success.
+  std::string SetSamples(Execution& execution);
+  void SetImageSamples(Execution& execution);
   /// Cuts the whole field down to the piece that is asked for. \a whole is the whole extent, where
   /// \a output is not the whole.
   void CutPiece(vtkInformation* info, const int* whole, vtkDataSet* output) const;
   /// Computes the part of a whole extent that is asked for; the piece's part where cells are
   /// refined.
   void GetExtent(vtkInformation* info, const int whole[6], int extent[6]) const;
-  /// Places the surfaces in the field. Returns false after an error.
-  bool PlaceSurfaces(
-    vtkDataSet* field, vtkDataArray* vectors, interlume::AdvectionOptions& options);
-  /// Makes the checkpoint that is asked for and reads its file; null without one. \a exchange is
-  /// that of processes with parts of the field.
-  std::unique_ptr<interlume::FlowCheckpoint> OpenCheckpoint(vtkInformation* info,
-    interlume::FlowFingerprint&& fingerprint, interlume::RankExchange* exchange);
-  /// Warns of fill values, of vectors that are not finite, and if no sample reached a surface, and
-  /// makes AdvectionTime the active scalars. \a vectors is the name of the vectors.
-  void Finish(vtkInformation* info, const char* vectors, vtkDataSet* output);
+  /// Places the surfaces in the field. Returns an error message, or an empty string on success.
+  std::string PlaceSurfaces(Execution& execution);
+  /// Makes the checkpoint and reads its file, if there is one.
+  void OpenCheckpoint(Execution& execution);
+  /// Warns of fill values and of vectors that are not finite. \a vectors is their name.
+  void WarnOfField(const char* vectors);
+  void WarnIfNoneReached();
   void AddSpheres(vtkDataSet* field, interlume::AdvectionOptions& options);
   /// Adds a surface to the options, and keeps it as long as they last.
   void UseSurface(vtkTerminationSurface* surface, int id, interlume::AdvectionOptions& options);

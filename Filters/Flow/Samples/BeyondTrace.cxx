@@ -40,20 +40,11 @@ void Join(const AdvectionResult& to, double way, double before, AdvectionResult&
 }
 }
 
-BeyondTrace::BeyondTrace(
-  Streamlines& streamlines, const AdvectionOptions& options, vtkDataSet* samples, double progress)
-  : Field(streamlines)
-  , Options(options)
-  , Samples(samples)
-  , Progress(progress)
-{
-}
-
 bool BeyondTrace::Find(const Corners& corners, std::vector<Answer>& answers)
 {
   answers.resize(corners.size());
   const std::vector<Streamlines::Velocity> velocities =
-    this->Field.GetVelocities(static_cast<vtkIdType>(corners.size()),
+    this->Context.Field.GetVelocities(static_cast<vtkIdType>(corners.size()),
       [&](vtkIdType i, double x[3])
       { this->Samples->GetPoint(corners[static_cast<std::size_t>(i)].Sample, x); });
   Rows back;
@@ -151,13 +142,13 @@ bool BeyondTrace::FollowTo(
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(own),
       [&](std::size_t row) { return corners[row].Surface == static_cast<int>(surface); });
     options.Surfaces = { this->Options.Surfaces[surface] };
-    goesOn = this->Field.Follow(
+    goesOn = this->Context.Field.Follow(
       options, static_cast<vtkIdType>(own.size()),
       [&](vtkIdType i, double x[3])
       { this->Samples->GetPoint(corners[own[static_cast<std::size_t>(i)]].Sample, x); },
       [&](vtkIdType i, const AdvectionResult& result)
       { results[own[static_cast<std::size_t>(i)]] = result; },
-      this->Progress, this->Progress);
+      this->Context.Progress, this->Context.Progress);
   }
   return goesOn;
 }
@@ -169,7 +160,7 @@ bool BeyondTrace::FollowOn(const Corners& corners, const Rows& rows,
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(hit),
     [&](std::size_t row) { return this->IsHit(before[row], corners[row]); });
   std::vector<Streamlines::Velocity> velocities =
-    this->Field.GetVelocities(static_cast<vtkIdType>(hit.size()),
+    this->Context.Field.GetVelocities(static_cast<vtkIdType>(hit.size()),
       [&](vtkIdType i, double x[3])
       { std::copy_n(before[hit[static_cast<std::size_t>(i)]].Position, 3, x); });
   struct Start
@@ -195,7 +186,7 @@ bool BeyondTrace::FollowOn(const Corners& corners, const Rows& rows,
       starts.push_back(start);
     }
   }
-  return this->Field.Follow(
+  return this->Context.Field.Follow(
     this->Options, static_cast<vtkIdType>(starts.size()),
     [&](vtkIdType i, double x[3]) { std::copy_n(starts[static_cast<std::size_t>(i)].X, 3, x); },
     [&](vtkIdType i, const AdvectionResult& result)
@@ -204,7 +195,7 @@ bool BeyondTrace::FollowOn(const Corners& corners, const Rows& rows,
       answers[start.Row].Beyond = result;
       Join(before[start.Row], start.Way, start.Time, answers[start.Row].Beyond);
     },
-    this->Progress, this->Progress);
+    this->Context.Progress, this->Context.Progress);
 }
 
 }

@@ -4,7 +4,7 @@
 
 #include "Advection/AdvectionOptions.h"
 #include "Samples/BeyondCorners.h"
-#include "Streams/Streamlines.h"
+#include "Streams/StageContext.h"
 
 #include <vector>
 
@@ -37,9 +37,13 @@ public:
     AdvectionResult Beyond;
   };
 
-  /// The arguments must not change while this is used. The progress stays at \a progress.
-  BeyondTrace(Streamlines& streamlines, const AdvectionOptions& options, vtkDataSet* samples,
-    double progress);
+  /// The arguments must not change while this is used. The progress stays the same.
+  BeyondTrace(const StageContext& context, vtkDataSet* samples)
+    : Context(context)
+    , Options(context.Options)
+    , Samples(samples)
+  {
+  }
 
   /// Finds the answers of corners. Where processes have parts of the field, all of them call this.
   /// Returns false when the execution was aborted.
@@ -62,10 +66,9 @@ private:
   bool FollowOn(const Corners& corners, const Rows& rows,
     const std::vector<AdvectionResult>& before, std::vector<Answer>& answers);
 
-  Streamlines& Field;
+  const StageContext& Context;
   const AdvectionOptions& Options;
   vtkDataSet* Samples;
-  double Progress;
 };
 
 }

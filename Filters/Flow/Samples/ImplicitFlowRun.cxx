@@ -9,35 +9,24 @@
 #include "Fields/BoundaryPatches.h"
 #include "Fields/FieldDispatch.h"
 #include "Fields/OpenInterfaces.h"
-#include "Samples/BeyondCorners.h"
-#include "Samples/BeyondSamples.h"
-#include "Samples/BeyondTrace.h"
 #include "Samples/CellRefinement.h"
-#include "Samples/ImplicitFlowArrays.h"
-#include "Samples/ReachedBoundary.h"
-#include "Samples/SampleOrder.h"
+#include "Samples/FarSideStage.h"
+#include "Samples/SampleArrays.h"
+#include "Samples/SampleIntegration.h"
 #include "Samples/SamplingCheck.h"
-#include "Samples/SharedLattice.h"
-#include "Samples/TerminationSides.h"
 #include "Streams/LocalStreamlines.h"
 #include "Streams/RankField.h"
 #include "Streams/RankStreamlines.h"
 
 #include "vtkAlgorithm.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkSMPThreadLocal.h"
-#include "vtkSignedCharArray.h"
 #include "vtkTerminationSurface.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -52,149 +41,13 @@ namespace
 {
 constexpr double AutomaticError = 1e-6;
 constexpr double AutomaticSpeed = 1e-9;
-// The progress when all samples are followed, and what is beside them is not.
-constexpr double SamplesEnd = 0.98;
 
 int GetAutomaticSteps(vtkIdType cells)
 {
   constexpr double least = 2000.0;
   return static_cast<int>(std::max(least, 20.0 * std::cbrt(static_cast<double>(cells))));
 }
-
-template <typename Array>
-Array* Add(vtkFieldData* data, const std::string& name, int components, vtkIdType number)
-{
-  vtkNew<Array> array;
-  array->SetName(name.c_str());
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(number);
-  data->AddArray(array);
-  return array;
 }
-}
-
-/// The arrays that are kept of the samples; those that are not kept are null.
-struct ImplicitFlowRun::Arrays
-{
-  vtkUnsignedCharArray* Status = nullptr;
-  vtkIntArray* Id = nullptr;
-  vtkDoubleArray* Parameters = nullptr;
-  vtkDoubleArray* Time = nullptr;
-  vtkSignedCharArray* Side = nullptr;
-  vtkDoubleArray* MaximumSpeed = nullptr;
-  vtkDoubleArray* ArcLength = nullptr;
-  vtkDoubleArray* MeanVorticity = nullptr;
-  std::vector<vtkDoubleArray*> Means;
-  vtkIntArray* Steps = nullptr;
-  vtkIntArray* StiffSteps = nullptr;
-
-  /// Calls visit(array, name, components) for the arrays that are kept.
-  template <typename Visit>
-  void ForEach(const ImplicitFlowRun& run, Visit&& visit)
-  {
-    visit(this->Status, vtkFlowStatus::StatusArray(), 1);
-    visit(this->Id, vtkFlowStatus::IdArray(), 1);
-    visit(this->Parameters, vtkFlowStatus::ParametersArray(), 2);
-    visit(this->Time, vtkFlowStatus::TimeArray(), 1);
-    visit(this->Side, vtkFlowStatus::SideArray(), 1);
-    const auto visitIf = [&visit](bool isKept, auto& array, const char* name)
-    {
-      if (isKept)
-      {
-        visit(array, name, 1);
-      }
-    };
-    visitIf(run.Options.ComputeMaximumSpeed, this->MaximumSpeed, "MaximumSpeed");
-    visitIf(run.Options.ComputeArcLength, this->ArcLength, "ArcLength");
-    visitIf(run.Options.ComputeMeanVorticity, this->MeanVorticity, "MeanVorticity");
-    this->Means.resize(run.Options.MeanArrays.size());
-    for (std::size_t i = 0; i < this->Means.size(); ++i)
-    {
-      visit(this->Means[i], "Mean" + run.Options.MeanArrays[i], 1);
-    }
-    visitIf(run.Options.KeepSteps, this->Steps, "AdvectionSteps");
-    visitIf(run.Options.KeepSteps, this->StiffSteps, "StiffSteps");
-  }
-
-  /// Makes the arrays and adds them to samples.
-  void Make(const ImplicitFlowRun& run, vtkDataSet* samples)
-  {
-    this->ForEach(run,
-      [samples](auto& array, const std::string& name, int components)
-      {
-        array = Add<std::remove_reference_t<decltype(*array)>>(
-          samples->GetPointData(), name, components, samples->GetNumberOfPoints());
-      });
-  }
-  /// Makes the arrays of the samples beyond and adds them to field data.
-  void MakeBeyond(const ImplicitFlowRun& run, vtkFieldData* data, vtkIdType number)
-  {
-    this->ForEach(run,
-      [data, number](auto& array, const std::string& name, int components)
-      {
-        array = Add<std::remove_reference_t<decltype(*array)>>(
-          data, BeyondSamples::GetName(name), components, number);
-      });
-  }
-  /// Takes the arrays that samples have.
-  void Find(const ImplicitFlowRun& run, vtkDataSet* samples)
-  {
-    this->ForEach(run,
-      [samples](auto& array, const std::string& name, int)
-      {
-        array = std::remove_reference_t<decltype(*array)>::SafeDownCast(
-          samples->GetPointData()->GetArray(name.c_str()));
-      });
-  }
-
-  void Set(vtkIdType id, const AdvectionResult& result)
-  {
-    this->Status->SetValue(id, static_cast<unsigned char>(result.Status));
-    this->Id->SetValue(id, result.Id);
-    this->Parameters->SetTypedTuple(id, result.Parameters);
-    this->Time->SetValue(id, result.Time);
-    const auto set = [id](vtkDoubleArray* array, double value)
-    {
-      if (array)
-      {
-        array->SetValue(id, value);
-      }
-    };
-    set(this->MaximumSpeed, result.MaximumSpeed);
-    set(this->ArcLength, result.ArcLength);
-    set(this->MeanVorticity, result.MeanVorticity);
-    for (std::size_t i = 0; i < this->Means.size(); ++i)
-    {
-      this->Means[i]->SetValue(id, i < result.Means.size() ? result.Means[i] : 0.0);
-    }
-    if (this->Steps)
-    {
-      this->Steps->SetValue(id, result.Steps);
-      this->StiffSteps->SetValue(id, result.StiffSteps);
-    }
-  }
-
-  AdvectionResult Get(vtkIdType id) const
-  {
-    AdvectionResult result;
-    result.Status = this->Status->GetValue(id);
-    result.Id = this->Id->GetValue(id);
-    this->Parameters->GetTypedTuple(id, result.Parameters);
-    result.Time = this->Time->GetValue(id);
-    const auto get = [id](const vtkDoubleArray* array)
-    { return array ? array->GetValue(id) : 0.0; };
-    result.MaximumSpeed = get(this->MaximumSpeed);
-    result.ArcLength = get(this->ArcLength);
-    result.MeanVorticity = get(this->MeanVorticity);
-    for (const vtkDoubleArray* mean : this->Means)
-    {
-      result.Means.push_back(get(mean));
-    }
-    result.Steps = this->Steps ? this->Steps->GetValue(id) : 0;
-    result.StiffSteps = this->StiffSteps ? this->StiffSteps->GetValue(id) : 0;
-    return result;
-  }
-};
 
 ImplicitFlowRun::ImplicitFlowRun(
   vtkAlgorithm* owner, const AdvectionOptions& options, vtkDataSet* field, vtkDataArray* vectors)
@@ -224,6 +77,8 @@ void ImplicitFlowRun::ReplaceAutomatic(double speed)
   const vtkIdType cells =
     this->Ranks ? this->Ranks->GetNumberOfCells() : this->Field->GetNumberOfCells();
   replace(this->Options.MaximumNumberOfSteps, GetAutomaticSteps(cells));
+  this->Report.MaximumError = this->Options.MaximumError;
+  this->Report.MinimumSpeed = this->Options.MinimumSpeed;
 }
 
 std::string ImplicitFlowRun::FindArrays(std::vector<vtkDataArray*>& means) const
@@ -261,8 +116,7 @@ std::string ImplicitFlowRun::Execute(vtkDataSet* samples)
     count(this->Vectors);
     std::for_each(means.begin(), means.end(), count);
   }
-  Arrays arrays;
-  arrays.Make(*this, samples);
+  SampleArrays::Make(this->Options, samples->GetPointData(), samples->GetNumberOfPoints());
   return this->Ranks ? this->ExecuteInRanks(means, samples) : this->ExecuteAlone(means, samples);
 }
 
@@ -328,52 +182,55 @@ void ImplicitFlowRun::FollowAll(Streamlines& streamlines, vtkDataSet* samples, i
 {
   if (!this->Checkpoint)
   {
-    this->FollowLevels(streamlines, samples, domainFaces);
+    this->RunStages(streamlines, samples, domainFaces);
     return;
   }
   CheckpointedStreamlines recorded(
     streamlines, *this->Checkpoint, this->Ranks ? &this->Ranks->GetExchange() : nullptr);
-  this->FollowLevels(recorded, samples, domainFaces);
+  this->RunStages(recorded, samples, domainFaces);
   this->Report.ResumedStreamlines = this->Checkpoint->GetNumberOfResumed();
   this->Report.Checkpoints = this->Checkpoint->GetNumberOfFiles();
 }
 
-void ImplicitFlowRun::FollowLevels(Streamlines& streamlines, vtkDataSet* samples, int domainFaces)
+void ImplicitFlowRun::RunStages(Streamlines& streamlines, vtkDataSet* samples, int domainFaces)
 {
   this->ReplaceAutomatic(streamlines.GetField().GetSpeedScale());
   this->AddSurfaces(samples, this->Options.DomainFaces ? domainFaces : 0);
-  this->Report.MaximumError = this->Options.MaximumError;
-  this->Report.MinimumSpeed = this->Options.MinimumSpeed;
-  double bounds[6];
-  samples->GetBounds(bounds);
-  TerminationSides sides(this->Options, bounds);
-  bool goesOn = this->Follow(streamlines, samples, 0, 0, sides);
+  StageContext context{ streamlines, this->Options, this->Report, this->GetFieldLength(),
+    FieldDispatch::BuildingPart };
+  SampleIntegration integration(context, samples);
+  bool goesOn = integration.Run(samples, 0, 0);
+  const bool isRefined = this->Options.RefinementLevels > 0;
   vtkSmartPointer<vtkUnstructuredGrid> grid;
-  if (goesOn && this->Options.RefinementLevels > 0)
+  if (goesOn && isRefined)
   {
     grid = CellRefinement::MakeGrid(samples);
+    samples = grid;
   }
   for (int level = 1; goesOn && level <= this->Options.RefinementLevels; ++level)
   {
-    goesOn = this->FindBeyond(streamlines, grid, false);
-    if (!goesOn)
+    goesOn = FarSideStage::Run(context, grid, false);
+    if (goesOn)
     {
-      break;
+      const vtkIdType before = grid->GetNumberOfPoints();
+      grid = this->Refine(grid);
+      samples = grid;
+      goesOn = integration.Run(grid, before, level);
     }
-    const vtkIdType before = grid->GetNumberOfPoints();
-    const CellRefinement::Result refined = CellRefinement::Refine(grid);
-    grid = refined.Grid;
-    this->Report.RefinedCells.push_back(refined.MixedCells);
-    this->Report.AddedSamples.push_back(grid->GetNumberOfPoints() - before);
-    goesOn = this->Follow(streamlines, grid, before, level, sides);
   }
-  goesOn = goesOn && this->FindBeyond(streamlines, grid ? grid.GetPointer() : samples, true);
-  if (goesOn && !grid && this->Options.SamplingChecks > 0)
-  {
-    goesOn = this->CheckSampling(streamlines, samples);
-  }
+  goesOn = goesOn && FarSideStage::Run(context, samples, this->HasObstacles) &&
+    (isRefined || SamplingCheck::Run(context, samples));
   this->Refined = goesOn ? grid : nullptr;
   this->Aborted = !goesOn;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> ImplicitFlowRun::Refine(vtkUnstructuredGrid* grid)
+{
+  const CellRefinement::Result refined = CellRefinement::Refine(grid);
+  this->Report.RefinedCells.push_back(refined.MixedCells);
+  this->Report.AddedSamples.push_back(
+    refined.Grid->GetNumberOfPoints() - grid->GetNumberOfPoints());
+  return refined.Grid;
 }
 
 template <typename FieldType>
@@ -409,266 +266,12 @@ void ImplicitFlowRun::Describe(const FieldType& field)
   }
 }
 
-bool ImplicitFlowRun::Follow(Streamlines& streamlines, vtkDataSet* samples, vtkIdType first,
-  int level, TerminationSides& sides)
-{
-  Arrays arrays;
-  arrays.Find(*this, samples);
-  vtkSMPThreadLocal<vtkFlowReport> reports;
-  const vtkIdType number = samples->GetNumberOfPoints();
-  if (number > 0)
-  {
-    // Makes the data that the dataset makes at the first call, before threads need them.
-    double x[3];
-    samples->GetPoint(0, x);
-  }
-  sides.SetNumberOfSamples(number);
-  constexpr double start = FieldDispatch::BuildingPart;
-  const double part = (SamplesEnd - start) / (this->Options.RefinementLevels + 1.0);
-  const auto take = [&](vtkIdType id, const double x[3], const AdvectionResult& result)
-  {
-    arrays.Set(id, result);
-    sides.Add(id, x, result);
-    reports.Local().Add(result);
-  };
-  vtkIdType done = 0;
-  const auto getProgress = [&]
-  {
-    const double share = static_cast<double>(done) / std::max<vtkIdType>(1, number - first);
-    return start + (level + share) * part;
-  };
-  const auto follow = [&](const SampleOrder& order)
-  {
-    const double before = getProgress();
-    done += order.GetNumber();
-    this->Progress = getProgress();
-    return streamlines.Follow(
-      this->Options, order.GetNumber(),
-      [&](vtkIdType i, double x[3]) { samples->GetPoint(order[i], x); },
-      [&](vtkIdType i, const AdvectionResult& result)
-      {
-        double x[3];
-        samples->GetPoint(order[i], x);
-        take(order[i], x, result);
-      },
-      before, this->Progress);
-  };
-  int dimensions[3];
-  const bool isShared = this->Options.ShareStreamlines && level == 0 && !this->HasExtras() &&
-    SharedLattice::GetDimensions(samples, dimensions);
-  const bool isDone = isShared ? this->FollowShared(dimensions, samples, arrays,
-                                   streamlines.GetField().GetSpeedScale(), follow, take)
-                               : follow(SampleOrder(samples, first));
-  for (const vtkFlowReport& report : reports)
-  {
-    this->Report.Add(report);
-  }
-  if (isDone)
-  {
-    FindSides(streamlines, samples, sides, arrays);
-  }
-  return isDone;
-}
-
-bool ImplicitFlowRun::HasExtras() const
-{
-  return this->Options.ComputeMaximumSpeed || this->Options.ComputeArcLength ||
-    this->Options.ComputeMeanVorticity || !this->Options.MeanNumbers.empty();
-}
-
 double ImplicitFlowRun::GetFieldLength() const
 {
   double bounds[6];
   this->Field->GetBounds(bounds);
   return Vectors::SafeLength(
     { bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
-}
-
-double ImplicitFlowRun::GetDistance(int id, const double first[2], const double other[2]) const
-{
-  for (const AdvectionOptions::Surface& surface : this->Options.Surfaces)
-  {
-    const int part = id - surface.Id;
-    double x[3];
-    double y[3];
-    if (part >= 0 && part < surface.Shape->GetNumberOfParts())
-    {
-      return surface.Shape->EvaluatePoint(part, first, x) &&
-          surface.Shape->EvaluatePoint(part, other, y)
-        ? Vectors::SafeLength(Vectors::Difference(x, y))
-        : std::numeric_limits<double>::infinity();
-    }
-  }
-  // No face of the domain is wider than the field.
-  return this->GetFieldLength() *
-    std::max(std::abs(first[0] - other[0]), std::abs(first[1] - other[1]));
-}
-
-template <typename FollowSome, typename TakeResult>
-bool ImplicitFlowRun::FollowShared(const int dimensions[3], vtkDataSet* samples,
-  const Arrays& arrays, double speed, FollowSome&& follow, TakeResult&& take)
-{
-  const double length = this->GetFieldLength();
-  SharedLattice lattice(
-    dimensions,
-    { arrays.Status->GetPointer(0), arrays.Id->GetPointer(0), arrays.Parameters->GetPointer(0),
-      arrays.Time->GetPointer(0) },
-    [&](const SharedLattice::Answer& guess, const double* uv, double time)
-    {
-      const double error = std::max(
-        this->GetDistance(guess.Id, guess.Parameters, uv), speed * std::abs(guess.Time - time));
-      // What rounding leaves of numbers as large is no error.
-      constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
-      return error / (this->Options.MaximumError * time + rounding * length);
-    },
-    [this](int id) -> std::array<bool, 2>
-    {
-      for (const AdvectionOptions::Surface& surface : this->Options.Surfaces)
-      {
-        const int part = id - surface.Id;
-        if (part >= 0 && part < surface.Shape->GetNumberOfParts())
-        {
-          return { { surface.Shape->IsPeriodic(0, part), surface.Shape->IsPeriodic(1, part) } };
-        }
-      }
-      return { { false, false } };
-    });
-  bool goesOn = follow(SampleOrder(samples, lattice.GetFirst()));
-  while (goesOn && lattice.Next())
-  {
-    goesOn = follow(SampleOrder(samples, lattice.GetFollowed())) &&
-      follow(SampleOrder(samples, lattice.CheckMiddles()));
-    if (goesOn)
-    {
-      lattice.Share(
-        [&](vtkIdType id, const SharedLattice::Answer& answer)
-        {
-          AdvectionResult result;
-          result.Status = vtkFlowStatus::REACHED_SURFACE;
-          result.Id = answer.Id;
-          std::copy_n(answer.Parameters, 2, result.Parameters);
-          result.Time = answer.Time;
-          double x[3];
-          samples->GetPoint(id, x);
-          take(id, x, result);
-          ++this->Report.SharedSamples;
-        });
-    }
-  }
-  this->Report.SharedChecks = lattice.GetNumberOfChecks();
-  this->Report.LargestSharedError = lattice.GetLargestError();
-  this->Report.MeanSharedError = lattice.GetMeanError();
-  return goesOn;
-}
-
-void ImplicitFlowRun::FindSides(
-  Streamlines& streamlines, vtkDataSet* samples, const TerminationSides& sides, Arrays& arrays)
-{
-  arrays.Side->Fill(0);
-  const std::vector<vtkIdType> corners = sides.FindCorners(samples, arrays.Id->GetPointer(0));
-  const std::vector<Streamlines::Velocity> velocities = streamlines.GetVelocities(
-    static_cast<vtkIdType>(corners.size()),
-    [&](vtkIdType i, double x[3]) { samples->GetPoint(corners[static_cast<std::size_t>(i)], x); });
-  vtkSMPTools::For(0, static_cast<vtkIdType>(corners.size()),
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
-      {
-        if (velocities[i].IsInField)
-        {
-          const vtkIdType id = corners[i];
-          double x[3];
-          samples->GetPoint(id, x);
-          arrays.Side->SetValue(id, sides.GetSide(id, arrays.Id->GetValue(id), x, velocities[i].V));
-        }
-      }
-    });
-}
-
-bool ImplicitFlowRun::FindBeyond(Streamlines& streamlines, vtkDataSet* samples, bool isLast) const
-{
-  vtkFieldData* data = samples->GetFieldData();
-  BeyondSamples::Remove(data);
-  ImplicitFlowArrays known;
-  std::vector<BeyondCorners::Corner> corners;
-  std::vector<BeyondCorners::Pair> pairs;
-  const bool hasBoundary = isLast && this->HasObstacles;
-  if (known.Find(samples).empty())
-  {
-    corners = BeyondCorners::Find(samples, known, this->Options, hasBoundary ? &pairs : nullptr);
-  }
-  BeyondTrace trace(streamlines, this->Options, samples, this->Progress);
-  std::vector<BeyondTrace::Answer> answers;
-  bool isDone = trace.Find(corners, answers);
-  std::vector<ReachedBoundary::Answer> beside;
-  if (isDone && hasBoundary)
-  {
-    Arrays own;
-    own.Find(*this, samples);
-    ReachedBoundary boundary(streamlines, this->Options, samples, known, this->Progress);
-    isDone = boundary.Find(
-      pairs, [&own](vtkIdType sample) { return own.Get(sample); }, beside);
-  }
-  const auto first = static_cast<vtkIdType>(corners.size());
-  const vtkIdType number = first + static_cast<vtkIdType>(beside.size());
-  if (number == 0 || !isDone)
-  {
-    return isDone;
-  }
-  using Beyond = BeyondSamples;
-  auto* points = Add<vtkIdTypeArray>(data, Beyond::GetName(Beyond::Point), 1, number);
-  auto* positions = Add<vtkDoubleArray>(data, Beyond::GetName(Beyond::Position), 3, number);
-  auto* distances = Add<vtkDoubleArray>(data, Beyond::GetName(Beyond::Distance), 1, number);
-  auto* normals = Add<vtkDoubleArray>(data, Beyond::GetName(Beyond::Normal), 3, number);
-  auto* surfaces = Add<vtkIntArray>(data, Beyond::GetName(Beyond::Surface), 1, number);
-  Arrays arrays;
-  arrays.MakeBeyond(*this, data, number);
-  for (vtkIdType row = 0; row < first; ++row)
-  {
-    const auto i = static_cast<std::size_t>(row);
-    points->SetValue(row, corners[i].Sample);
-    positions->SetTuple(row, samples->GetPoint(corners[i].Sample));
-    distances->SetValue(row, std::abs(corners[i].Distance));
-    normals->SetTuple(row, answers[i].Normal);
-    surfaces->SetValue(row, answers[i].IsStill ? Beyond::StandsStill : corners[i].Surface);
-    arrays.Set(row, answers[i].Beyond);
-    arrays.Side->SetValue(row, answers[i].Side);
-  }
-  for (vtkIdType row = first; row < number; ++row)
-  {
-    const ReachedBoundary::Answer& answer = beside[static_cast<std::size_t>(row - first)];
-    constexpr double unknown[3] = { 0.0, 0.0, 0.0 };
-    points->SetValue(row, answer.Sample);
-    positions->SetTuple(row, samples->GetPoint(answer.Sample));
-    distances->SetValue(row, answer.Distance);
-    normals->SetTuple(row, unknown);
-    surfaces->SetValue(row, Beyond::NoSurface);
-    arrays.Set(row, answer.Beyond);
-    arrays.Side->SetValue(row,
-      static_cast<signed char>(answer.IsReached ? vtkFlowStatus::TOWARDS : -vtkFlowStatus::AWAY));
-  }
-  // The id tells whether something is reached.
-  data->RemoveArray(Beyond::GetName(vtkFlowStatus::StatusArray()).c_str());
-  return true;
-}
-
-bool ImplicitFlowRun::CheckSampling(Streamlines& streamlines, vtkDataSet* samples)
-{
-  ImplicitFlowArrays arrays;
-  if (!arrays.Find(samples).empty())
-  {
-    return true;
-  }
-  SamplingCheck check(samples, arrays, this->Options.SamplingChecks);
-  const bool isDone = streamlines.Follow(
-    this->Options, check.GetNumber(), [&](vtkIdType i, double x[3]) { check.GetMiddle(i, x); },
-    [&](vtkIdType i, const AdvectionResult& result) { check.Set(i, result); }, this->Progress, 1.0);
-  if (isDone)
-  {
-    this->Report.Sampling = check.GetReport();
-    SamplingCheck::AddArrays(this->Report.Sampling, samples->GetFieldData());
-  }
-  return isDone;
 }
 
 void ImplicitFlowRun::AddSurfaces(vtkDataSet* samples, int domainFaces) const

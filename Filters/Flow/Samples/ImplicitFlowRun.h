@@ -23,7 +23,6 @@ class FlowCheckpoint;
 class MeshLinks;
 class RankField;
 class Streamlines;
-class TerminationSides;
 
 /**
  * @class   ImplicitFlowRun
@@ -67,7 +66,6 @@ public:
   const std::shared_ptr<const MeshLinks>& GetMesh() const { return this->Mesh; }
 
 private:
-  struct Arrays;
   /// Replaces what is automatic in the options; error and speed are parts of the field's speed
   /// (SpeedScale).
   void ReplaceAutomatic(double speed);
@@ -80,35 +78,14 @@ private:
   /// Follows all samples, and those of the levels of refinement, with the checkpoint if there is
   /// one.
   void FollowAll(Streamlines& streamlines, vtkDataSet* samples, int domainFaces);
-  void FollowLevels(Streamlines& streamlines, vtkDataSet* samples, int domainFaces);
+  /// Runs the stages of StageContext in their order.
+  void RunStages(Streamlines& streamlines, vtkDataSet* samples, int domainFaces);
+  vtkSmartPointer<vtkUnstructuredGrid> Refine(vtkUnstructuredGrid* grid);
   /// Fills the part of the report that describes the field.
   template <typename FieldType>
   void Describe(const FieldType& field);
-  /// Follows the samples from \a first on. Returns false when the owner was aborted.
-  bool Follow(Streamlines& streamlines, vtkDataSet* samples, vtkIdType first, int level,
-    TerminationSides& sides);
-  /// Follows samples of a lattice level by level, where some take the answers of those around them.
-  /// \a follow follows those that an order has and returns false when the owner was aborted, \a
-  /// take takes a result for a sample.
-  template <typename FollowSome, typename TakeResult>
-  bool FollowShared(const int dimensions[3], vtkDataSet* samples, const Arrays& arrays,
-    double speed, FollowSome&& follow, TakeResult&& take);
-  /// Returns whether further quantities of paths are kept.
-  bool HasExtras() const;
   /// Returns the diagonal of the field's bounds.
   double GetFieldLength() const;
-  /// Returns the distance of two places on the surface with this id.
-  double GetDistance(int id, const double first[2], const double other[2]) const;
-  /// Finds on which side of their surface samples are, after all samples of \a sides were followed.
-  static void FindSides(
-    Streamlines& streamlines, vtkDataSet* samples, const TerminationSides& sides, Arrays& arrays);
-  /// Finds what samples beside surfaces would have on the other side, after their sides were found.
-  /// If \a isLast, that is, if no further level is refined, and the field has obstacles, finds the
-  /// same beside the boundary of what reaches a surface. Returns false when the owner was aborted.
-  bool FindBeyond(Streamlines& streamlines, vtkDataSet* samples, bool isLast) const;
-  /// Compares what is interpolated between samples with streamlines. Returns false when the owner
-  /// was aborted.
-  bool CheckSampling(Streamlines& streamlines, vtkDataSet* samples);
   std::string FindArrays(std::vector<vtkDataArray*>& means) const;
   void AddSurfaces(vtkDataSet* samples, int domainFaces) const;
 
@@ -122,7 +99,6 @@ private:
   FlowCheckpoint* Checkpoint = nullptr;
   vtkSmartPointer<vtkUnstructuredGrid> Refined;
   vtkFlowReport Report;
-  double Progress = 0.0;
   bool Aborted = false;
   /// Whether streamlines end within the field at hidden cells, or at vectors that are not finite.
   bool HasObstacles = false;

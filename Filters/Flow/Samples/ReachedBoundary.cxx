@@ -3,6 +3,7 @@
 
 #include "Common/Vectors.h"
 #include "Samples/ImplicitFlowArrays.h"
+#include "Samples/SampleArrays.h"
 
 #include "vtkDataSet.h"
 
@@ -49,18 +50,8 @@ void Unwrap(double& parameter, double other)
 }
 }
 
-ReachedBoundary::ReachedBoundary(Streamlines& streamlines, const AdvectionOptions& options,
-  vtkDataSet* samples, const ImplicitFlowArrays& arrays, double progress)
-  : Field(streamlines)
-  , Options(options)
-  , Samples(samples)
-  , Arrays(arrays)
-  , Progress(progress)
-{
-}
-
 bool ReachedBoundary::Find(const std::vector<BeyondCorners::Pair>& pairs,
-  const GetResult& getResult, std::vector<Answer>& answers)
+  const SampleArrays& results, std::vector<Answer>& answers)
 {
   std::vector<vtkIdType> samples;
   for (const BeyondCorners::Pair& pair : pairs)
@@ -74,6 +65,7 @@ bool ReachedBoundary::Find(const std::vector<BeyondCorners::Pair>& pairs,
   {
     answers[i].Sample = samples[i];
     answers[i].IsReached = this->Arrays.IsReached(samples[i]);
+    answers[i].Beyond.Means.assign(this->Context.Options.MeanNumbers.size(), 0.0);
   }
   const auto find = [&samples](vtkIdType sample)
   {
@@ -84,14 +76,14 @@ bool ReachedBoundary::Find(const std::vector<BeyondCorners::Pair>& pairs,
   for (const BeyondCorners::Pair& pair : pairs)
   {
     this->Lines.push_back({ find(pair.Reached), find(pair.Other), this->Arrays.GetId(pair.Reached),
-      0.0, 1.0, getResult(pair.Reached) });
+      0.0, 1.0, results.Get(pair.Reached) });
   }
   if (!this->Bisect(answers))
   {
     return false;
   }
   this->SetDistances(answers);
-  this->Extrapolate(getResult, answers);
+  this->Extrapolate(results, answers);
   return true;
 }
 
@@ -114,8 +106,8 @@ bool ReachedBoundary::Bisect(const Answers& answers)
   bool goesOn = true;
   for (int i = 0; i < Bisections && goesOn; ++i)
   {
-    goesOn = this->Field.Follow(
-      this->Options, static_cast<vtkIdType>(this->Lines.size()),
+    goesOn = this->Context.Field.Follow(
+      this->Context.Options, static_cast<vtkIdType>(this->Lines.size()),
       [&](vtkIdType number, double x[3])
       {
         const Line& line = this->Lines[static_cast<std::size_t>(number)];
@@ -133,7 +125,7 @@ bool ReachedBoundary::Bisect(const Answers& answers)
           line.Result = result;
         }
       },
-      this->Progress, this->Progress);
+      this->Context.Progress, this->Context.Progress);
   }
   return goesOn;
 }
@@ -180,7 +172,7 @@ void ReachedBoundary::SetDistances(Answers& answers) const
   }
 }
 
-void ReachedBoundary::Extrapolate(const GetResult& getResult, Answers& answers) const
+void ReachedBoundary::Extrapolate(const SampleArrays& results, Answers& answers) const
 {
   // The line of each sample that comes closest to it, whose surface counts.
   std::vector<const Line*> closest(answers.size(), nullptr);
@@ -199,7 +191,7 @@ void ReachedBoundary::Extrapolate(const GetResult& getResult, Answers& answers) 
       continue;
     }
     const std::array<bool, 2> periodicity = this->Arrays.GetPeriodicity(line.Id);
-    std::vector<double> start = GetNumbers(getResult(answers[line.Reached].Sample));
+    std::vector<double> start = GetNumbers(results.Get(answers[line.Reached].Sample));
     std::vector<double> end = GetNumbers(line.Result);
     for (std::size_t direction = 0; direction < 2; ++direction)
     {

@@ -4,11 +4,10 @@
 
 #include "Advection/AdvectionOptions.h"
 #include "Samples/BeyondCorners.h"
-#include "Streams/Streamlines.h"
+#include "Streams/StageContext.h"
 
 #include "vtkType.h"
 
-#include <functional>
 #include <vector>
 
 class vtkDataSet;
@@ -17,6 +16,7 @@ namespace interlume
 {
 
 class ImplicitFlowArrays;
+class SampleArrays;
 
 /**
  * @class   ReachedBoundary
@@ -39,16 +39,19 @@ public:
     AdvectionResult Beyond;
   };
 
-  /// Returns the result of a sample.
-  using GetResult = std::function<AdvectionResult(vtkIdType sample)>;
+  /// The arguments must not change while this is used. The progress stays the same.
+  ReachedBoundary(
+    const StageContext& context, vtkDataSet* samples, const ImplicitFlowArrays& arrays)
+    : Context(context)
+    , Samples(samples)
+    , Arrays(arrays)
+  {
+  }
 
-  /// The arguments must not change while this is used. The progress stays at \a progress.
-  ReachedBoundary(Streamlines& streamlines, const AdvectionOptions& options, vtkDataSet* samples,
-    const ImplicitFlowArrays& arrays, double progress);
-
-  /// Computes the answers of all samples of the pairs, ascending by sample. If processes have parts
-  /// of the field, all of them call this. Returns false if the execution was aborted.
-  bool Find(const std::vector<BeyondCorners::Pair>& pairs, const GetResult& getResult,
+  /// Computes the answers of all samples of the pairs, ascending by sample, whose \a results are
+  /// known. If processes have parts of the field, all of them call this. Returns false if the
+  /// execution was aborted.
+  bool Find(const std::vector<BeyondCorners::Pair>& pairs, const SampleArrays& results,
     std::vector<Answer>& answers);
 
 private:
@@ -72,13 +75,11 @@ private:
   double GetPosition(const Answers& answers, const Line& line, double fraction, double x[3]) const;
   bool Bisect(const Answers& answers);
   void SetDistances(Answers& answers) const;
-  void Extrapolate(const GetResult& getResult, Answers& answers) const;
+  void Extrapolate(const SampleArrays& results, Answers& answers) const;
 
-  Streamlines& Field;
-  const AdvectionOptions& Options;
+  const StageContext& Context;
   vtkDataSet* Samples;
   const ImplicitFlowArrays& Arrays;
-  double Progress;
   std::vector<Line> Lines;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Samples/SamplingCheck.h"
 
-#include "Advection/AdvectionOptions.h"
 #include "Samples/ImplicitFlowArrays.h"
+#include "Streams/StageContext.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -18,6 +18,27 @@
 
 namespace interlume
 {
+
+bool SamplingCheck::Run(StageContext& context, vtkDataSet* samples)
+{
+  ImplicitFlowArrays arrays;
+  if (context.Options.SamplingChecks <= 0 || !arrays.Find(samples).empty())
+  {
+    return true;
+  }
+  SamplingCheck check(samples, arrays, context.Options.SamplingChecks);
+  const bool isDone = context.Field.Follow(
+    context.Options, static_cast<vtkIdType>(check.Cells.size()),
+    [&](vtkIdType i, double x[3]) { check.GetMiddle(i, x); },
+    [&](vtkIdType i, const AdvectionResult& result) { check.Set(i, result); }, context.Progress,
+    1.0);
+  if (isDone)
+  {
+    context.Report.Sampling = check.GetReport();
+    AddArrays(context.Report.Sampling, samples->GetFieldData());
+  }
+  return isDone;
+}
 
 SamplingCheck::SamplingCheck(vtkDataSet* samples, const ImplicitFlowArrays& arrays, vtkIdType most)
   : Samples(samples)
@@ -170,7 +191,7 @@ vtkFlowSamplingReport::Error SamplingCheck::GetError(Quantities quantity) const
 vtkFlowSamplingReport SamplingCheck::GetReport() const
 {
   vtkFlowSamplingReport report;
-  report.Checks = this->GetNumber();
+  report.Checks = static_cast<vtkIdType>(this->Cells.size());
   for (const Cell& cell : this->Cells)
   {
     report.SplitCells += cell.IsSplit ? 1 : 0;

@@ -16,6 +16,7 @@ namespace interlume
 
 class ImplicitFlowArrays;
 struct AdvectionResult;
+struct StageContext;
 
 /**
  * @class   SamplingCheck
@@ -27,22 +28,23 @@ struct AdvectionResult;
 class SamplingCheck
 {
 public:
-  /// Chooses \a most cells, or all where there are no more. Both arguments have to stay as they
-  /// are.
+  /// Follows the streamlines of as many middles of cells as the options say, and adds the report
+  /// and the arrays of vtkFlowStatus. Returns false if the execution was aborted.
+  static bool Run(StageContext& context, vtkDataSet* samples);
+
+private:
+  /// Chooses \a most cells, or all if there are no more.
   SamplingCheck(vtkDataSet* samples, const ImplicitFlowArrays& arrays, vtkIdType most);
 
-  vtkIdType GetNumber() const { return static_cast<vtkIdType>(this->Cells.size()); }
   /// Computes the middle of one of the cells, the mean of its corners.
   void GetMiddle(vtkIdType i, double x[3]) const;
   /// Takes the streamline of a middle; threads may do so for different ones.
   void Set(vtkIdType i, const AdvectionResult& result);
-
   /// Returns what was found, after all middles were set.
   vtkFlowSamplingReport GetReport() const;
   /// Adds the arrays of vtkFlowStatus that tell a report.
   static void AddArrays(const vtkFlowSamplingReport& report, vtkFieldData* data);
 
-private:
   static constexpr int MostCorners = 8;
   enum Quantities
   {

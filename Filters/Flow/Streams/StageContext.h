@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_StageContext_h
+#define interlume_StageContext_h
+
+#include "Advection/AdvectionOptions.h"
+#include "Streams/Streamlines.h"
+
+#include "vtkFlowReport.h"
+
+namespace interlume
+{
+
+/**
+ * @class   StageContext
+ * @brief   what the stages of an execution of vtkImplicitFlowField share
+ *
+ * Stages run in this order: SampleIntegration orders and integrates samples, CellRefinement adds
+ * samples to be integrated, FarSideStage finds what samples would have on the far side of their
+ * surface, SamplingCheck checks the interpolation between samples. Each stage writes its arrays
+ * into the samples and returns false if the execution was aborted.
+ */
+struct StageContext
+{
+  Streamlines& Field;
+  const AdvectionOptions& Options;
+  vtkFlowReport& Report;
+  /// The diagonal of the bounds of the field.
+  double FieldLength;
+  /// The progress of the execution after the last stage.
+  double Progress;
+};
+
+}
+
+#endif
