@@ -21,13 +21,11 @@ namespace
 using Code = ExtractionValues::Code;
 
 constexpr int Vertices = 8;
-// What a grid point may own: itself, and the crossings of its edges along i, j
-// and k.
+// What a grid point may own: itself, and the crossings of its edges along i, j and k.
 constexpr int Places = 4;
 
-// The rows of points around a row of cells: (j, k), (j + 1, k), (j, k + 1), (j
-// + 1, k + 1). Where there is none, or it is not compared and so on the same
-// side, it is the first.
+// The rows of points around a row of cells: (j, k), (j + 1, k), (j, k + 1), (j + 1, k + 1). Where
+// there is none, or it is not compared and so on the same side, it is the first.
 struct Around
 {
   vtkIdType J;
@@ -56,9 +54,8 @@ struct Around
     return !IsSet(row.Above, corner) ? 0 : IsSet(row.Ties, corner) ? 1 : 2;
   }
 
-  // Returns whether points that the row owns may be left without triangles.
-  // Where its own cells are cut by the table, each of its crossings is in one
-  // of these.
+  // Returns whether points that the row owns may be left without triangles. Where its own cells are
+  // cut by the table, each of its crossings is in one of these.
   bool MayLeavePoints() const { return !this->HasCells || this->Kinds.IsAny(); }
 
   static bool IsSet(const BitRows::Word* words, vtkIdType column)
@@ -67,8 +64,8 @@ struct Around
   }
 };
 
-// Calls visit(column, owned, bit) for the points of a row of \a nx points that
-// own something; their bits in the words of owned are at place bit.
+// Calls visit(column, owned, bit) for the points of a row of \a nx points that own something; their
+// bits in the words of owned are at place bit.
 template <bool IsSpecial, typename Visitor>
 void ForEachOwner(const Around& around, vtkIdType nx, Visitor&& visit)
 {
@@ -81,8 +78,7 @@ void ForEachOwner(const Around& around, vtkIdType nx, Visitor&& visit)
   }
 }
 
-// Writes the ids of what a row of \a nx points owns, from \a next on, Places
-// for each point.
+// Writes the ids of what a row of \a nx points owns, from \a next on, Places for each point.
 template <bool IsSpecial, typename Id>
 void FillIds(const Around& around, vtkIdType nx, Id next, Id* ids)
 {
@@ -166,8 +162,8 @@ public:
   std::size_t GetBytes() const { return this->Bits.GetBytes(); }
 
 private:
-  // Finds by the index which rows of points have to be compared: those around
-  // rows of cells that may give output.
+  // Finds by the index which rows of points have to be compared: those around rows of cells that
+  // may give output.
   void FindActive(vtkIdType rows)
   {
     this->Compared.assign(rows, false);
@@ -175,7 +171,8 @@ private:
     {
       const vtkIdType j = this->Rows.GetJ(row);
       const vtkIdType k = this->Rows.GetK(row);
-      for (int r = 0; r < 4 && this->MayGive(j, k); ++r)
+      const int corners = this->MayGive(j, k) ? 4 : 0;
+      for (int r = 0; r < corners; ++r)
       {
         this->Compared[this->Rows.GetRow(j + (r & 1), k + (r >> 1))] = true;
       }
@@ -212,8 +209,8 @@ struct RowIds
 
   // By the last bits of k and j.
   std::array<std::array<Row, 2>, 2> Rows;
-  // For each slot the id in the first cell of a row of cells, or null; those of
-  // the next cells are Places further on.
+  // For each slot the id in the first cell of a row of cells, or null; those of the next cells are
+  // Places further on.
   std::array<const Id*, vtkIsotable::MaximumNumberOfSlots> Slots{};
 };
 
@@ -266,8 +263,7 @@ public:
   void Allocate()
   {
     this->AllocateRows();
-    // A point is in the output unless its simplices have collapsed, or are in
-    // cells left out.
+    // A point is in the output unless its simplices have collapsed, or are in cells left out.
     this->MarksUsed = this->Bits.HasSpecial();
     if (this->MarksUsed)
     {
@@ -299,8 +295,7 @@ public:
 
   void Finish()
   {
-    // The bytes of columns and keys, of the points of a row, of four rows of
-    // ids.
+    // The bytes of columns and keys, of the points of a row, of four rows of ids.
     constexpr std::size_t bytesOfColumn = sizeof(std::uint32_t) + sizeof(std::uint8_t) +
       Places * (sizeof(ExtractionPoint) + 4 * sizeof(vtkIdType));
     const std::ptrdiff_t threads = std::distance(this->Locals.begin(), this->Locals.end());
@@ -332,8 +327,8 @@ private:
     return triangles;
   }
 
-  // Calls visit(column, case, tied) for the cells of a row that the surface
-  // meets; tied is null where the table's own cut serves.
+  // Calls visit(column, case, tied) for the cells of a row that the surface meets; tied is null
+  // where the table's own cut serves.
   template <typename Visitor>
   void ForEachCell(ContourLocal& local, const Around& around, Visitor&& visit) const
   {
@@ -361,8 +356,7 @@ private:
     }
   }
 
-  // Returns the cut of a cell where values equal the isovalue, or null where
-  // the table's serves.
+  // Returns the cut of a cell where values equal the isovalue, or null where the table's serves.
   TiedCases::Tied* FindTied(ContourLocal& local, const Around& around, vtkIdType column,
     const vtkIsotable::Case& found) const
   {
@@ -389,8 +383,8 @@ private:
       this->Context, *this->Scalars, local.Points.data(), number, first, this->Mesh);
   }
 
-  // Lists the points that a row owns. Each is written, whether it is there or
-  // not, and the next one over it if not: which are there cannot be predicted.
+  // Lists the points that a row owns. Each is written, whether it is there or not, and the next one
+  // over it if not: which are there cannot be predicted.
   template <bool IsSpecial>
   void MakePoints(ContourLocal& local, const Around& around) const
   {
@@ -497,7 +491,7 @@ private:
     }
   }
 
-  // Notes the triangles that the neighbor of a cell may have turned over.
+  // Notes the triangles that the neighbour of a cell may have turned over.
   void NoteTied(ContourLocal& local, TiedCases::Tied& tied, vtkIdType triangle) const
   {
     for (const vtkIsotable::Simplex& corners : tied.Cut.GetSimplices())
@@ -517,7 +511,7 @@ private:
   ComparedRows Bits;
   bool MarksUsed = false;
 };
-} // namespace
+}
 
 bool RowContour::IsSuited(const ExtractionContext& context)
 {
@@ -532,4 +526,4 @@ bool RowContour::Execute(ExtractionContext& context, const int dimensions[3],
   return BitPass(context, dimensions, window, mesh).Execute();
 }
 
-} // namespace interlume
+}

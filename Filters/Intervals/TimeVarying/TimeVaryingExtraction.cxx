@@ -36,8 +36,7 @@ using Slot = SpaceTimeTable::Slot;
 using Simplex = SpaceTimeTable::Simplex;
 using Tables = SlotTables<SpaceTimeTable>;
 
-// Chunks are small, since cells that matter lie in clusters, and threads are to
-// share them.
+// Chunks are small, since cells that matter lie in clusters, and threads are to share them.
 constexpr vtkIdType ChunkSize = 512;
 constexpr int MaximumNumberOfVertices = SpaceTimeTable::MaximumNumberOfVertices;
 constexpr int MaximumNumberOfSlots = SpaceTimeTable::MaximumNumberOfSlots;
@@ -48,8 +47,7 @@ struct Found
   vtkIdType Cell;
   const SpaceTimeTable::Case* Case;
   int Item;
-  // Whether the table's own cut serves: corners in ascending order, no two
-  // slots one point.
+  // Whether the table's own cut serves: corners in ascending order, no two slots one point.
   bool IsPlain;
 };
 
@@ -71,8 +69,7 @@ struct Chunk
 struct OwnCut
 {
   std::vector<Simplex> Simplices;
-  // The boundary cells, where slots were made one; otherwise they follow from
-  // the simplices.
+  // The boundary cells, where slots were made one; otherwise they follow from the simplices.
   TimeVaryingCut Merged;
   bool IsMerged = false;
   // The slots in use, increasing.
@@ -252,8 +249,7 @@ public:
     return (sign != 0 ? sign : this->Orientations[1].GetSign(cell.Shape, cell.Ids)) < 0;
   }
 
-  // Writes the 4-simplices of a case from \a next on; \a ids has the id of each
-  // slot.
+  // Writes the 4-simplices of a case from \a next on; \a ids has the id of each slot.
   void WriteSimplices(const Cell& cell, const Found& found, Local& local, const vtkIdType* ids,
     bool isInverted, bool isDuplicate, vtkIdType next)
   {
@@ -423,8 +419,7 @@ public:
     }
     const vtkTimeVaryingSettings& settings = this->Mesh.GetOptions().Settings;
     TimeVaryingMesh::Slab& slab = this->Mesh.GetSlab();
-    // With values equal to bounds those of the boundary are told by the
-    // 4-simplices.
+    // With values equal to bounds those of the boundary are told by the 4-simplices.
     const bool isNeeded = settings.GenerateTetrahedra || settings.GenerateSimplices ||
       (this->HasBoundary && (this->Steps[0]->HasTies() || this->Steps[1]->HasTies()));
     slab.Simplices.Allocate(isNeeded ? simplices : 0);
@@ -477,9 +472,8 @@ public:
     }
   }
 
-  // Gives the mesh the boundary cells of all chunks in their order, and removes
-  // opposite 4-simplices: a neighbor may have the same one above the common
-  // face, turned over.
+  // Gives the mesh the boundary cells of all chunks in their order, and removes opposite
+  // 4-simplices: a neighbor may have the same one above the common face, turned over.
   void Finish()
   {
     std::vector<vtkIdType> tied;
