@@ -7,10 +7,12 @@ uniform float power;
 #ifdef LIGHTS
 uniform vec3 material; // Ambient, diffuse, specular.
 uniform vec3 ambientLight;
+uniform vec3 worldOrigin; // The first voxel, less the middle of the volume.
+#if LIGHTS > 0
 uniform vec3 lightDirections[LIGHTS]; // Towards the light, or its position, in world units.
 uniform vec3 lightColors[LIGHTS];
 uniform float lightIsPositional[LIGHTS];
-uniform vec3 worldOrigin; // The first voxel, less the middle of the volume.
+#endif
 #endif
 uniform mat3 worldFromVolume;
 
@@ -68,6 +70,7 @@ Light lightAt(vec3 place, vec3 way)
   vec3 eye = -normalize(worldFromVoxels * way);
   vec3 world = worldOrigin + worldFromVoxels * place;
   Light light = Light(material.x * ambientLight, vec3(0.0));
+#if LIGHTS > 0
   for (int i = 0; i < LIGHTS; ++i)
   {
     vec3 l = normalize(lightDirections[i] - lightIsPositional[i] * world);
@@ -75,6 +78,7 @@ Light lightAt(vec3 place, vec3 way)
     light.Diffuse += material.y * shares.x * lightColors[i];
     light.Specular += material.z * shares.y * lightColors[i];
   }
+#endif
   return light;
 }
 #endif
