@@ -281,10 +281,9 @@ void TestRoutes(Check& check)
   for (int change = 0; change < 14; ++change)
   {
     FlowShow::State values;
-    for (double& value : values)
-    {
-      value = random.Get(0.0, 1.0);
-    }
+    std::generate(values.begin(), values.end() - 1, [&]() { return random.Get(0.0, 1.0); });
+    // Paint is filtered along parallel lines of sight.
+    values[16] = values[15];
     const bool isShaded = change % 2 == 1;
     values[12] = isShaded ? 1.0 : 0.0;
     // An array to shade by: without one only slices are lit.
