@@ -90,7 +90,7 @@ file(WRITE "${WORK_DIR}/Filters/Flow/Cells/vtkBox.h" "namespace interlume\n")
 file(WRITE "${WORK_DIR}/Filters/Flow/Cells/vtkLost.cxx" "namespace interlume\n")
 file(WRITE "${WORK_DIR}/Filters/Flow/Fields/Wide.h" "class Wide;\n")
 file(WRITE "${WORK_DIR}/Filters/Flow/Fields/Loud.h"
-  "namespace interlume\nvtkErrorWithObjectMacro(owner, wrong)\n")
+  "namespace interlume\nvtkGenericWarningMacro(wrong)\n")
 file(WRITE "${WORK_DIR}/Filters/Flow/Odd.h" "class Odd;\n")
 file(WRITE "${WORK_DIR}/Filters/Flow/Attic/Old.h" "namespace interlume\n")
 file(WRITE "${WORK_DIR}/Rendering/Light/vtkVector.h"
@@ -101,7 +101,7 @@ set(expected
   "Filters/Flow/Cells/Tree.h: #include \"Fields/Field.h\""
   "Filters/Flow/Cells/vtkBox.h: a private file with the prefix vtk"
   "Filters/Flow/Cells/vtkLost.cxx: a private file with the prefix vtk"
-  "Filters/Flow/Fields/Loud.h: vtkErrorWithObjectMacro(owner, wrong)"
+  "Filters/Flow/Fields/Loud.h: vtkGenericWarningMacro(wrong)"
   "Filters/Flow/Fields/Wide.h: not in namespace interlume"
   "Filters/Flow/Odd.h: it is private and has no room"
   "Filters/Flow: more than 40 files"
