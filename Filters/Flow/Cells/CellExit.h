@@ -99,13 +99,15 @@ public:
     first = BernsteinRoot::None;
     exitFace = -1;
     double end = std::numeric_limits<double>::infinity();
-    for (int face = 0; face < field.GetNumberOfFaces(); ++face)
+    const bool isBox = field.IsBox();
+    const int faces = field.GetNumberOfFaces();
+    for (int face = 0; face < faces; ++face)
     {
       double b[Size] = {};
       double least = std::numeric_limits<double>::infinity();
       for (int k = 0; k <= degree; ++k)
       {
-        b[k] = CellExit::GetDistance(field, face, points[k]);
+        b[k] = isBox ? GetBoxDistance(face, points[k]) : field.GetFaceDistance(face, points[k]);
         least = std::min(least, b[k]);
       }
       end = std::min(end, b[degree]);
@@ -122,13 +124,9 @@ public:
 private:
   static constexpr int MaximumNumberOfFaces = 6;
 
-  static double GetDistance(const Walker& field, int face, const double p[3])
+  static double GetBoxDistance(int face, const double p[3])
   {
-    if (field.IsBox())
-    {
-      return face & 1 ? 1.0 - p[face >> 1] : p[face >> 1];
-    }
-    return field.GetFaceDistance(face, p);
+    return face & 1 ? 1.0 - p[face >> 1] : p[face >> 1];
   }
 
   static void FindRates(const Walker& field, const double p[3], const double rate[3], int faces,
@@ -141,11 +139,12 @@ private:
     {
       ahead[i] = p[i] + scale * rate[i];
     }
+    const bool isBox = field.IsBox();
     for (int face = 0; face < faces; ++face)
     {
-      distances[face] = CellExit::GetDistance(field, face, p);
-      rates[face] = field.IsBox() ? (face & 1 ? -rate[face >> 1] : rate[face >> 1])
-                                  : (field.GetFaceDistance(face, ahead) - distances[face]) / scale;
+      distances[face] = isBox ? GetBoxDistance(face, p) : field.GetFaceDistance(face, p);
+      rates[face] = isBox ? (face & 1 ? -rate[face >> 1] : rate[face >> 1])
+                          : (field.GetFaceDistance(face, ahead) - distances[face]) / scale;
     }
   }
 
