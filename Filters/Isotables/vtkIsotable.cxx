@@ -164,6 +164,7 @@ vtkIsotable::vtkIsotable(Kinds kind, const std::vector<std::array<int, 3>>& vert
 vtkIsotable::vtkIsotable(Kinds kind, const Polytope& cell)
   : Kind(kind)
   , NumberOfVertices(static_cast<int>(cell.Vertices.size()))
+  , NumberOfEdges(static_cast<int>(cell.Edges.size()))
   , Edges(cell.GetSortedEdges())
   , Pieces(new Maker(kind, cell))
   , Cases(CountCases(kind, cell.Vertices.size()))

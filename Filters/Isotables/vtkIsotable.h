@@ -103,7 +103,7 @@ public:
 
   Kinds GetKind() const { return this->Kind; }
   int GetNumberOfVertices() const { return this->NumberOfVertices; }
-  int GetNumberOfEdges() const { return static_cast<int>(this->Edges.size()); }
+  int GetNumberOfEdges() const { return this->NumberOfEdges; }
   int GetNumberOfCases() const { return static_cast<int>(this->Cases.size()); }
   const std::array<Slot, 2>& GetEdge(int edge) const { return this->Edges[edge]; }
 
@@ -281,6 +281,7 @@ private:
 
   Kinds Kind;
   int NumberOfVertices;
+  int NumberOfEdges;
   std::vector<std::array<Slot, 2>> Edges;
   std::unique_ptr<Maker> Pieces;
   mutable std::vector<std::atomic<const Case*>> Cases;
