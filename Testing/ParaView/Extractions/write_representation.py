@@ -6,13 +6,13 @@ picture as `<name>.png`. ParaView is asked the same and must draw the same."""
 import sys
 
 from interlume import (
-    vtkAnalyticFieldSource, vtkAnalyticFlowSource, vtkTetrahedraSettings, vtkTimeWeightedTetrahedraMapper)
+    vtkAnalyticFieldSource, vtkAnalyticFlowSource, vtkTimeWeightedTetrahedraMapper)
 
 import pipelines
 from pictures import gyroid_camera, make_renderer, make_volume, write_pictures
 from pipelines import connected, set_properties
 
-Settings = vtkTetrahedraSettings
+Settings = vtkTimeWeightedTetrahedraMapper
 # Two touching intervals of the temperature around a hot disk, seen from aside; colours and opacities as
 # rows of value, red, green, blue and of value, opacity.
 COMMON = {
