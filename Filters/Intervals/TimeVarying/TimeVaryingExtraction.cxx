@@ -164,10 +164,11 @@ public:
     }
     const SpaceTimeTable& table = this->TheTables[cell.Shape];
     // The corners at the first step come before those at the second.
-    const int corners = std::min(cell.NumberOfCorners, MaximumNumberOfVertices / 2);
+    constexpr int most = MaximumNumberOfVertices / 2;
+    const int corners = std::min(cell.NumberOfCorners, most);
     Slot vertexRanks[MaximumNumberOfVertices];
     this->Order.Rank(cell.Ids, corners, vertexRanks);
-    for (int v = 0; v < corners; ++v)
+    for (int v = 0; v < corners && v < most; ++v) // GCC sees the bound.
     {
       vertexRanks[v + corners] = static_cast<Slot>(vertexRanks[v] + corners);
     }
