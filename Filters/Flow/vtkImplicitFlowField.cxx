@@ -38,7 +38,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <set>
 
@@ -571,7 +570,7 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::FollowSamples(Execution& exe
 
 int vtkImplicitFlowField::Finish(Execution& execution, Outcome outcome)
 {
-  if (!execution.Error.empty())
+  if (outcome != Outcome::NEEDS_WHOLE && !execution.Error.empty())
   {
     vtkErrorMacro(<< execution.Error);
   }

@@ -510,7 +510,8 @@ private:
   std::string PlaceSurfaces(Execution& execution);
   /// Makes the checkpoint and reads its file, if there is one.
   void OpenCheckpoint(Execution& execution);
-  /// Warns of fill values and of vectors that are not finite. \a vectors is their name.
+  /// Warns of fill values, of vectors that are not finite and of open interfaces. \a vectors is the
+  /// name of the vectors.
   void WarnOfField(const char* vectors);
   void WarnIfNoneReached();
   void AddSpheres(vtkDataSet* field, interlume::AdvectionOptions& options);

@@ -167,7 +167,7 @@ private:
   vtkAnalyticFieldSource(const vtkAnalyticFieldSource&) = delete;
   void operator=(const vtkAnalyticFieldSource&) = delete;
 
-  /// Returns the field at time \a t, for many positions. Several threads call it at once.
+  /// Returns the field at time \a t, for many positions. Several threads call the result.
   std::function<double(const double x[3])> GetFieldAtTime(double t) const;
   interlume::FieldSampler GetSampler() const;
   void SetNumber(double& member, double value);

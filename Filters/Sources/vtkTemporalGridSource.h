@@ -83,7 +83,7 @@ protected:
   /// A scalar field of position at one time.
   using Field = std::function<double(const double x[3])>;
 
-  /// Returns the field at time \a t, for many positions. Several threads call it at once.
+  /// Returns the field at time \a t, for many positions. Several threads call the result.
   virtual Field GetFieldAtTime(double t) const = 0;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

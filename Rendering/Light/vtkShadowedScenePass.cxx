@@ -236,7 +236,10 @@ void vtkShadowedScenePass::ShowVolumes(vtkRenderer* renderer)
 {
   for (interlume::VolumeImage* image : this->Images)
   {
-    image->Show(renderer);
+    if (image->HasContents())
+    {
+      image->Show(renderer);
+    }
   }
 }
 

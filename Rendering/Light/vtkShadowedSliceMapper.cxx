@@ -3,10 +3,10 @@
 
 #include "Common/NamedValue.h"
 #include "Draw/VolumeImage.h"
+#include "Offscreen/PeelingDeferral.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
-#include "Offscreen/PeelingDeferral.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"

@@ -37,7 +37,8 @@ public:
   /// The error of the solution of order 4.
   Number Error[3];
 
-  /// Takes a step. \a first is the rate at \a p. Returns a mask of where all rates are finite.
+  /// Takes a step. \a first is the rate at \a p. Returns a mask of where
+  /// error and end are finite.
   template <typename Rate>
   Mask Take(Rate& rate, const Number p[3], const Number first[3], const Number& step)
   {

@@ -234,8 +234,8 @@ private:
     return one[0] * (other[0] - other[degree]) < other[0] * (one[0] - one[degree]);
   }
 
-  /// Replaces the first \a number coefficients by those of the part up to \a theta, one level of
-  /// de Casteljau's method.
+  /// Replaces the first \a number + 1 coefficients by those of the part up to \a theta, one level
+  /// of de Casteljau's method.
   static void Subdivide(Number* b, int number, const Number& theta)
   {
     for (int i = 0; i <= number; ++i)

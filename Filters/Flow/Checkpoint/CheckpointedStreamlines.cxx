@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checkpoint/CheckpointedStreamlines.h"
 
-#include "Common/DataDigest.h"
 #include "Checkpoint/FlowCheckpoint.h"
+#include "Common/DataDigest.h"
 #include "Streams/RankExchange.h"
 
 #include "vtkSMPTools.h"

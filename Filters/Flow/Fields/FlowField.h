@@ -2,8 +2,8 @@
 #ifndef interlume_FlowField_h
 #define interlume_FlowField_h
 
-#include "Common/StageProgress.h"
 #include "Common/ArrayRows.h"
+#include "Common/StageProgress.h"
 #include "Numerics/SpeedScale.h"
 
 #include "vtkType.h"

@@ -2,8 +2,8 @@
 #ifndef interlume_IsoparametricWalker_h
 #define interlume_IsoparametricWalker_h
 
-#include "Cells/InterpolatedCell.h"
 #include "Cells/CellFinding.h"
+#include "Cells/InterpolatedCell.h"
 #include "Fields/CellWalker.h"
 
 #include <algorithm>

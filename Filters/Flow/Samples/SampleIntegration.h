@@ -3,8 +3,8 @@
 #define interlume_SampleIntegration_h
 
 #include "Samples/SampleArrays.h"
-#include "Streams/StageContext.h"
 #include "Samples/TerminationSides.h"
+#include "Streams/StageContext.h"
 
 #include "vtkSMPThreadLocal.h"
 
@@ -20,7 +20,7 @@ class SampleOrder;
  * @class   SampleIntegration
  * @brief   follows the streamlines of samples, along a curve that fills space or level by level
  *
- * This is the first stage of an execution, and the first one after each level of refinement.
+ * This is the first stage of an execution, and runs again after each level of refinement.
  */
 class SampleIntegration
 {

@@ -32,5 +32,9 @@ template unsigned int LatticeSteps::Take(Steps<ImageFlowField>&, unsigned int);
 template unsigned int LatticeSteps::Take(Steps<RectilinearFlowField>&, unsigned int);
 template unsigned int LatticeSteps::Take(Steps<ImagePartField>&, unsigned int);
 template unsigned int LatticeSteps::Take(Steps<RectilinearPartField>&, unsigned int);
+template unsigned int LatticeSteps::TakePlainly(Steps<ImageFlowField>&, unsigned int);
+template unsigned int LatticeSteps::TakePlainly(Steps<RectilinearFlowField>&, unsigned int);
+template unsigned int LatticeSteps::TakePlainly(Steps<ImagePartField>&, unsigned int);
+template unsigned int LatticeSteps::TakePlainly(Steps<RectilinearPartField>&, unsigned int);
 
 }

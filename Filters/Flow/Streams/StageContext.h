@@ -12,12 +12,12 @@ namespace interlume
 
 /**
  * @class   StageContext
- * @brief   what the stages of an execution of vtkImplicitFlowField share
+ * @brief   shares data between the stages of an execution of vtkImplicitFlowField
  *
- * Stages run in this order: SampleIntegration orders and integrates samples, CellRefinement adds
- * samples to be integrated, FarSideStage finds what samples would have on the far side of their
- * surface, SamplingCheck checks the interpolation between samples. Each stage writes its arrays
- * into the samples and returns false if the execution was aborted.
+ * SampleIntegration orders and integrates samples, FarSideStage finds what samples would have on
+ * the far side of their surface, CellRefinement adds samples, for which both run again, and
+ * SamplingCheck checks the interpolation between samples. Each stage writes its arrays into the
+ * samples and can be aborted.
  */
 struct StageContext
 {

@@ -46,7 +46,10 @@ public:
     pass.Allocate();
     const bool isWritten = this->ForEachPart(
       parts, at[2], at[3], [&pass](vtkIdType part, Local& local) { pass.WritePart(part, local); });
-    pass.Finish();
+    if (isWritten)
+    {
+      pass.Finish();
+    }
     return isWritten;
   }
 

@@ -110,9 +110,13 @@ void DataSetLeaves::ForEach(vtkAlgorithm* owner, vtkInformationVector** inputs,
     {
       continue;
     }
-    for (vtkUnstructuredGrid* grid : grids)
+    // The executive passes the field data of the input itself.
+    if (composite)
     {
-      grid->GetFieldData()->PassData(leaves[i]->GetFieldData());
+      for (vtkUnstructuredGrid* grid : grids)
+      {
+        grid->GetFieldData()->PassData(leaves[i]->GetFieldData());
+      }
     }
     owner->SetProgressShiftScale(static_cast<double>(i) * share, share);
     extract(leaves[i], grids);

@@ -15,7 +15,6 @@
 #include "Static/ExtractionInput.h"
 #include "Static/ExtractionLinearizer.h"
 #include "Static/WholeOutput.h"
-#include "Structured/RowContour.h"
 #include "Structured/StructuredExtraction.h"
 #include "Unstructured/UnstructuredExtraction.h"
 

@@ -3,6 +3,7 @@
 #define interlume_SliceChunk_h
 
 #include "Unstructured/CrossingLists.h"
+
 #include "vtkType.h"
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 #include "Grid/CornerOrder.h"
 #include "Output/CrossingKey.h"
 #include "Scalars/ExtractionValues.h"
+
 #include "vtkIsotable.h"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 
 #include "Pass/ExtractionFrame.h"
 #include "Scalars/ExtractionScalars.h"
+#include "SpaceTime/SpaceTimeTable.h"
 #include "TimeVarying/FacePlanarity.h"
 #include "TimeVarying/FlatSides.h"
 #include "TimeVarying/TimeVaryingBoundary.h"
@@ -12,7 +13,6 @@
 #include "TimeVarying/TimeVaryingSlots.h"
 #include "Unstructured/CrossingLists.h"
 
-#include "SpaceTime/SpaceTimeTable.h"
 #include "vtkPointData.h"
 #include "vtkTimeVaryingReport.h"
 #include "vtkUnstructuredGrid.h"
@@ -64,8 +64,8 @@ struct Chunk
   vtkExtractionReport Report;
 };
 
-// A case as it is cut in a cell whose corners are not in ascending order, or of
-// which two slots are one point.
+// A case as it is cut in a cell whose corners are not in ascending order, or of which two slots are
+// one point.
 struct OwnCut
 {
   std::vector<Simplex> Simplices;
@@ -151,8 +151,8 @@ public:
     return local.GetCase(cell.Shape, key);
   }
 
-  // Cuts a case in the global order, with slots that are the same point made
-  // one, where the table's own cut does not serve. Returns whether it does.
+  // Cuts a case in the global order, with slots that are the same point made one, where the table's
+  // own cut does not serve. Returns whether it does.
   bool Cut(const Cell& cell, const Item& item, const Case& what, Local& local) const
   {
     OwnCut& cut = local.Own;

@@ -4,7 +4,6 @@
 
 #include "Hulls/Polytope.h"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 

@@ -2,8 +2,9 @@
 #ifndef interlume_MovedPieces_h
 #define interlume_MovedPieces_h
 
-#include "vtkIsotable.h"
 #include "Cases/CellSymmetries.h"
+
+#include "vtkIsotable.h"
 
 #include <vector>
 

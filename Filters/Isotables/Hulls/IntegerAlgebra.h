@@ -5,14 +5,13 @@
 #include "Hulls/ConvexHull.h"
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 namespace interlume
 {
 
 /**
- * Exact integer algebra shared by the hull and the triangulations. The header is not installed.
+ * Exact integer algebra of hulls, pieces and symmetries.
  */
 namespace IntegerAlgebra
 {
@@ -142,4 +141,3 @@ private:
 }
 
 #endif
-// VTK-HeaderTest-Exclude: IntegerAlgebra.h

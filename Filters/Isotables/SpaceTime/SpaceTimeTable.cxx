@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SpaceTime/SpaceTimeTable.h"
 
-#include "Cases/SlotOrder.h"
 #include "Cases/CasePatch.h"
+#include "Cases/SlotOrder.h"
 #include "Hulls/PointSet.h"
 
-#include <algorithm>
 #include <numeric>
 
 namespace interlume

@@ -2,15 +2,15 @@
 #ifndef interlume_SpaceTimeTable_h
 #define interlume_SpaceTimeTable_h
 
+#include "Cases/CasePieces.h"
+#include "Cases/CellSymmetries.h"
+#include "Hulls/Polytope.h"
+
 #include "InterlumeIsotablesModule.h"
 #include "vtkIsotable.h"
-#include "Cases/CasePieces.h"
-#include "Hulls/Polytope.h"
-#include "Cases/CellSymmetries.h"
 
 #include <array>
 #include <atomic>
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>

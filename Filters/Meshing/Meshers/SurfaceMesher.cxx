@@ -10,7 +10,6 @@
 #include "TetGen/MeshingJob.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace interlume

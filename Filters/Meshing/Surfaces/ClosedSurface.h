@@ -56,7 +56,7 @@ public:
 
   DistinctPoints Points;
   std::vector<Triangle> Triangles;
-  std::vector<Triangle> InputTriangles; ///< as they were before they were split
+  std::vector<Triangle> InputTriangles; ///< before splitting, with merged points
   vtkIdType NumberOfSplitTriangles = 0;
   int NumberOfPatches = 0;
 

@@ -14,8 +14,8 @@ class ClosedSurface;
  */
 namespace TrianglePairs
 {
-/// Calls  function with the indices of each two triangles of  surface whose boxes are at most
-///  distance apart along every axis.
+/// Calls \a function with the indices of each two triangles of \a surface whose boxes are at most
+/// \a distance apart along every axis.
 void ForEach(
   const ClosedSurface& surface, double distance, const std::function<void(int, int)>& function);
 }

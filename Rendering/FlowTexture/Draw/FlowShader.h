@@ -47,7 +47,6 @@ public:
   FlowShader(vtkImplicitFlowVolumeMapper& mapper, const Parts& parts, const FlowPaints& paints,
     const FlowView& view);
 
-  bool NeedsTimes() const { return this->HasTimes; }
   /// The words of the report.
   const std::string& GetNames() const { return this->Names; }
   const std::string& GetSource() const { return this->Source; }

@@ -2,17 +2,17 @@
 #include "Buffers/EmitterSampleLayers.h"
 
 #include "Loader/OpenGLFunctions.h"
+#include "Offscreen/FloatTexture.h"
+#include "Offscreen/ShaderFeatures.h"
 #include "Plan/PlaneView.h"
 #include "Plan/SlicePolygons.h"
 
 #include "InterlumeSliceLayerFS.h"
-#include "Offscreen/FloatTexture.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
-#include "Offscreen/ShaderFeatures.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 #ifndef interlume_EmitterSampleLayers_h
 #define interlume_EmitterSampleLayers_h
 
-#include "Common/Vectors.h"
 #include "Buffers/SlicePass.h"
+#include "Common/Vectors.h"
 #include "Plan/LayerBatches.h"
 #include "Plan/SlicePlan.h"
 

@@ -2,10 +2,10 @@
 #include "Buffers/SliceConvolution.h"
 
 #include "Loader/OpenGLFunctions.h"
+#include "Offscreen/FloatTexture.h"
 #include "Space/UnitVector.h"
 
 #include "InterlumeSliceBoxFS.h"
-#include "Offscreen/FloatTexture.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"

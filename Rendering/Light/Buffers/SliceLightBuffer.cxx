@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Buffers/SliceLightBuffer.h"
 
-#include "Shaders/VolumeRenderState.h"
 #include "Buffers/VolumeSlices.h"
-#include "Shaders/SliceShader.h"
 #include "Loader/OpenGLFunctions.h"
-#include "Plan/SlicePolygons.h"
-
 #include "Offscreen/FloatTexture.h"
+#include "Plan/SlicePolygons.h"
+#include "Shaders/SliceShader.h"
+#include "Shaders/VolumeRenderState.h"
+
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"

@@ -2,10 +2,10 @@
 #ifndef interlume_SliceLightBuffer_h
 #define interlume_SliceLightBuffer_h
 
+#include "Buffers/EmitterSampleLayers.h"
 #include "Buffers/SliceConvolution.h"
 #include "Buffers/SliceOcclusion.h"
 #include "Buffers/SlicePass.h"
-#include "Buffers/EmitterSampleLayers.h"
 #include "Plan/LightTiles.h"
 #include "Plan/PlaneTiles.h"
 #include "Plan/SlicePlan.h"

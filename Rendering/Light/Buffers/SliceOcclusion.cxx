@@ -2,15 +2,15 @@
 #include "Buffers/SliceOcclusion.h"
 
 #include "Loader/OpenGLFunctions.h"
+#include "Offscreen/FloatTexture.h"
+#include "Offscreen/ShaderFeatures.h"
 
 #include "InterlumeSliceOcclusionFS.h"
-#include "Offscreen/FloatTexture.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
-#include "Offscreen/ShaderFeatures.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 

@@ -2,13 +2,13 @@
 #include "Buffers/SlicePass.h"
 
 #include "Loader/OpenGLFunctions.h"
+#include "Offscreen/ShaderFeatures.h"
 
 #include "InterlumeSliceVS.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLVertexArrayObject.h"
-#include "Offscreen/ShaderFeatures.h"
 #include "vtkShaderProgram.h"
 
 namespace interlume

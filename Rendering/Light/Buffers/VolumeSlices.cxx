@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Buffers/VolumeSlices.h"
 
-#include "Shaders/VolumeRenderState.h"
+#include "Loader/OpenGLFunctions.h"
 #include "Shaders/SliceShader.h"
 #include "Shaders/SliceTextures.h"
-#include "Loader/OpenGLFunctions.h"
+#include "Shaders/VolumeRenderState.h"
 
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"

@@ -27,11 +27,11 @@ struct VolumeRenderState;
 
 /**
  * @class   VolumeSlices
- * @brief   what one volume draws into a picture of slices
+ * @brief   draws one volume into an image of slices
  *
- * Volumes that share the slices of a picture have a part each: their own polygons in the same
- * planes, programs and textures. The textures of one part alone are bound at a time, since a
- * graphics card has too few units for all.
+ * Volumes that share the slices of an image have their own polygons in the same planes, and their
+ * own programs and textures. The textures of only one volume are bound at a time, since a graphics
+ * card has too few units for all.
  */
 class VolumeSlices
 {
@@ -39,7 +39,7 @@ public:
   VolumeSlices();
   ~VolumeSlices();
 
-  /// Gives the part its volume, for a picture.
+  /// Sets the volume of an image.
   void Set(const VolumeRenderState& frame, SliceTextures& textures);
   const VolumeRenderState& GetFrame() const { return *this->Frame; }
   SliceTextures& GetTextures() { return *this->Textures; }

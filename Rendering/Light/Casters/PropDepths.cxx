@@ -2,8 +2,8 @@
 #include "Casters/PropDepths.h"
 
 #include "Loader/ScopedState.h"
-
 #include "Offscreen/FloatTexture.h"
+
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"

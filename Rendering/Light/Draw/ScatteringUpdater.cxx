@@ -3,10 +3,10 @@
 
 #include "Common/Vectors.h"
 #include "Draw/SurfaceOcclusionGrid.h"
-#include "Shaders/VolumeRenderState.h"
 #include "Grid/FieldMaps.h"
 #include "Grid/GridLight.h"
 #include "Scattering/ScatteringSolver.h"
+#include "Shaders/VolumeRenderState.h"
 
 #include "vtkAreaLight.h"
 #include "vtkMath.h"

@@ -2,9 +2,9 @@
 #ifndef interlume_ScatteringUpdater_h
 #define interlume_ScatteringUpdater_h
 
-#include "Shaders/SliceScattering.h"
 #include "Grid/MatterGrid.h"
 #include "Scattering/PhaseFunction.h"
+#include "Shaders/SliceScattering.h"
 
 #include "vtkShadowedSliceReport.h"
 

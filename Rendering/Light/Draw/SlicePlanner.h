@@ -18,7 +18,7 @@ struct VolumeRenderState;
 
 /**
  * @class   SlicePlanner
- * @brief   plans the slices of an image from settings of the mapper
+ * @brief   plans the slices of an image from the shared settings
  */
 class SlicePlanner
 {

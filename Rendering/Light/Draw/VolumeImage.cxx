@@ -19,6 +19,10 @@ void VolumeImage::Begin(const VolumeResources::Request& request, const std::stri
 void VolumeImage::Draw(vtkRenderer* renderer, SliceScene* scene)
 {
   this->Scene = scene;
+  if (!this->HasContents())
+  {
+    return;
+  }
   std::vector<VolumeResources*> volumes;
   std::string& error = this->Volume.GetResult().Error;
   if (this->IsValid())

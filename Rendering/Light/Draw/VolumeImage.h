@@ -29,7 +29,7 @@ struct SliceScene;
 class VolumeImage
 {
 public:
-  /// Begins an image. \a error tells why the request cannot be rendered, or is empty; without
+  /// Begins an image. \a error is the reason why the request cannot be rendered, or empty; without
   /// scalars there is nothing to render.
   void Begin(const VolumeResources::Request& request, const std::string& error);
 

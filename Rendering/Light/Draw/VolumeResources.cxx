@@ -2,6 +2,7 @@
 #include "Draw/VolumeResources.h"
 
 #include "Common/Vectors.h"
+#include "Loader/SoftwareOpenGL.h"
 #include "Receivers/SliceScene.h"
 #include "Shaders/SliceShader.h"
 #include "Shaders/SliceTextures.h"
@@ -15,7 +16,6 @@
 #include "vtkProjectiveLight.h"
 #include "vtkRenderer.h"
 #include "vtkSliceMatter.h"
-#include "Loader/SoftwareOpenGL.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 

@@ -3,6 +3,7 @@
 
 #include "Casters/SceneCasters.h"
 #include "Lights/LightSource.h"
+#include "Offscreen/ShaderFeatures.h"
 #include "Receivers/LightTransmittance.h"
 #include "Receivers/SceneFields.h"
 #include "Receivers/SceneScreens.h"
@@ -15,7 +16,6 @@
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
 #include "vtkRenderer.h"
-#include "Offscreen/ShaderFeatures.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 

@@ -2,8 +2,8 @@
 #include "Receivers/LightTransmittance.h"
 
 #include "Loader/OpenGLFunctions.h"
-
 #include "Offscreen/FloatTexture.h"
+
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"

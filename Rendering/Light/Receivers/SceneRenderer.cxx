@@ -3,6 +3,7 @@
 
 #include "Lights/LightSources.h"
 #include "Loader/OpenGLFunctions.h"
+#include "Offscreen/SceneDepth.h"
 #include "Space/UnitSpace.h"
 
 #include "vtkActor.h"
@@ -12,7 +13,6 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "Offscreen/SceneDepth.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaders/SliceFeatures.h"
 
+#include "Offscreen/ShaderFeatures.h"
+
 #include "InterlumeLightScreen.h"
 #include "InterlumeSliceFS.h"
 #include "InterlumeSliceLight.h"
@@ -8,7 +10,6 @@
 #include "InterlumeSliceMedium.h"
 #include "InterlumeSliceReceiverFS.h"
 #include "InterlumeSliceScatter.h"
-#include "Offscreen/ShaderFeatures.h"
 #include "vtkShaderProgram.h"
 
 #include <set>

@@ -13,9 +13,7 @@ namespace interlume
 
 /**
  * @class   SliceShader
- * @brief   puts the shaders of a picture together, and sets their uniforms
- *
- * A feature that is off is not in the source code of the shaders.
+ * @brief   chooses the features of an image's programs, and sets their uniforms
  */
 class SliceShader
 {

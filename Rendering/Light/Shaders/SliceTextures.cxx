@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaders/SliceTextures.h"
 
-#include "Shaders/SliceScattering.h"
 #include "Loader/OpenGLFunctions.h"
+#include "Shaders/SliceScattering.h"
 #include "Volume/MaterialTable.h"
 #include "Volume/VolumeSamples.h"
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sweeps/AreaLightReceivers.h"
 
-#include "Casters/SceneCasters.h"
-#include "Shaders/VolumeRenderState.h"
 #include "Buffers/EmitterSampleLayers.h"
-#include "Shaders/SliceShader.h"
+#include "Casters/SceneCasters.h"
+#include "Offscreen/ShaderFeatures.h"
 #include "Receivers/SliceScene.h"
+#include "Shaders/SliceShader.h"
+#include "Shaders/VolumeRenderState.h"
 
 #include "InterlumeSliceLayerPointFS.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
-#include "Offscreen/ShaderFeatures.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 

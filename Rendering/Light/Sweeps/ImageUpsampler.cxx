@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sweeps/ImageUpsampler.h"
 
+#include "Offscreen/ShaderFeatures.h"
 #include "Space/ShaderUniforms.h"
 #include "Space/UnitVector.h"
 
 #include "InterlumeSliceShowFS.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "Offscreen/ShaderFeatures.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>

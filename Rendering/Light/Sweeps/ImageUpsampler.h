@@ -3,6 +3,7 @@
 #define interlume_ImageUpsampler_h
 
 #include "Offscreen/ImageQuad.h"
+
 #include "vtkSmartPointer.h"
 
 #include <glm/mat4x4.hpp>

@@ -4,12 +4,13 @@
 #include "Casters/SceneCasters.h"
 #include "Common/Vectors.h"
 #include "Loader/ScopedState.h"
+#include "Offscreen/FloatTexture.h"
+#include "Offscreen/SceneDepth.h"
 #include "Receivers/SliceScene.h"
 #include "Shaders/SliceShader.h"
 #include "Space/UnitSpace.h"
 #include "Translucent/PaneMaps.h"
 
-#include "Offscreen/FloatTexture.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -21,7 +22,6 @@
 #include "vtkPointData.h"
 #include "vtkProjectiveLight.h"
 #include "vtkRenderer.h"
-#include "Offscreen/SceneDepth.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 

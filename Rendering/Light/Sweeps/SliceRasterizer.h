@@ -5,15 +5,15 @@
 #include "Buffers/SliceLightBuffer.h"
 #include "Buffers/SliceOcclusion.h"
 #include "Buffers/VolumeSlices.h"
+#include "Offscreen/ImageQuad.h"
+#include "Offscreen/PropSelection.h"
 #include "Plan/SlabOrder.h"
 #include "Shaders/SliceTextures.h"
 #include "Shaders/VolumeRenderState.h"
 #include "Sweeps/ImageUpsampler.h"
 #include "Sweeps/SliceReceivers.h"
 
-#include "Offscreen/ImageQuad.h"
 #include "vtkNew.h"
-#include "Offscreen/PropSelection.h"
 #include "vtkShadowedSliceReport.h"
 
 #include <memory>

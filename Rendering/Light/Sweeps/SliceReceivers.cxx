@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sweeps/SliceReceivers.h"
 
-#include "Shaders/VolumeRenderState.h"
+#include "Buffers/EmitterSampleLayers.h"
 #include "Buffers/SliceLightBuffer.h"
 #include "Buffers/VolumeSlices.h"
-#include "Buffers/EmitterSampleLayers.h"
-#include "Shaders/SliceShader.h"
 #include "Loader/OpenGLFunctions.h"
 #include "Receivers/LightTransmittance.h"
 #include "Receivers/SliceScene.h"
+#include "Shaders/SliceShader.h"
+#include "Shaders/VolumeRenderState.h"
 #include "Space/UnitVector.h"
 
 #include "vtkOpenGLBufferObject.h"

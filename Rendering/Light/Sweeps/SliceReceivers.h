@@ -2,9 +2,9 @@
 #ifndef interlume_SliceReceivers_h
 #define interlume_SliceReceivers_h
 
-#include "Sweeps/AreaLightReceivers.h"
 #include "Buffers/SlicePass.h"
 #include "Plan/SlicePlan.h"
+#include "Sweeps/AreaLightReceivers.h"
 
 #include "vtkNew.h"
 

@@ -2,9 +2,9 @@
 #include "Translucent/EyeLayers.h"
 
 #include "Loader/OpenGLFunctions.h"
+#include "Offscreen/FloatTexture.h"
 #include "Translucent/LayerShader.h"
 
-#include "Offscreen/FloatTexture.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkTextureObject.h"

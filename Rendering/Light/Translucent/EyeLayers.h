@@ -2,9 +2,9 @@
 #ifndef interlume_EyeLayers_h
 #define interlume_EyeLayers_h
 
+#include "Offscreen/ImageQuad.h"
 #include "Translucent/DepthLayers.h"
 
-#include "Offscreen/ImageQuad.h"
 #include "vtkNew.h"
 
 #include <functional>

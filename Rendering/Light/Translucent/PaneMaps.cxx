@@ -2,13 +2,13 @@
 #include "Translucent/PaneMaps.h"
 
 #include "Loader/OpenGLFunctions.h"
+#include "Offscreen/ShaderFeatures.h"
 #include "Translucent/LayerShader.h"
 
 #include "InterlumeScenePanes.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
-#include "Offscreen/ShaderFeatures.h"
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"

@@ -2,13 +2,13 @@
 #include "Offscreen/ImageQuad.h"
 
 #include "Loader/OpenGLFunctions.h"
+#include "Offscreen/ShaderFeatures.h"
 
 #include "InterlumeImageQuadFS.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
-#include "Offscreen/ShaderFeatures.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 

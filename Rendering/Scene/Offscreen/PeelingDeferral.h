@@ -15,7 +15,7 @@ namespace interlume
 
 /**
  * @class   PeelingDeferral
- * @brief   takes a volume out of depth peeling, for mappers that cannot draw a part between two
+ * @brief   excludes a volume from depth peeling, for mappers that cannot draw a part between two
  * peels
  *
  * With UseDepthPeelingForVolumes vtkDualDepthPeelingPass calls a volume's mapper several times per

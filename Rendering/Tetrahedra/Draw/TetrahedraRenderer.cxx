@@ -57,7 +57,7 @@ TetrahedraFrame::Blends GetBlend(int mode)
       return TetrahedraFrame::COMPOSITE;
   }
 }
-} // namespace
+}
 
 /// The state that an image of the software path was drawn from.
 struct TetrahedraRenderer::DrawnState
@@ -349,8 +349,7 @@ std::string TetrahedraRenderer::ClipMesh(
     if (!std::isfinite(planes.back().w))
     {
       return "clipping plane " + std::to_string(i) +
-        " has a normal of length 0 or a number that is not finite; set "
-        "its normal and its origin";
+        " has a normal of length 0 or a number that is not finite; set its normal and its origin";
     }
   }
   this->Clip.Append(this->Mesh, this->Fields, planes, view.GetRays().Viewpoint, order);
@@ -739,4 +738,4 @@ void TetrahedraRenderer::ReleaseGraphicsResources(vtkWindow* window)
   }
 }
 
-} // namespace interlume
+}

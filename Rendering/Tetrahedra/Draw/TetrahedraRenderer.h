@@ -159,6 +159,6 @@ private:
   std::map<vtkWindow*, std::unique_ptr<WindowResources>> Windows;
 };
 
-} // namespace interlume
+}
 
 #endif

@@ -38,7 +38,7 @@ bool IsBehindFace(const std::array<glm::dvec3, 4>& p, const Viewpoint& view)
     : GetSide(p[1], p[2], p[3], view.Eye);
   return ofEye * GetSide(p[1], p[2], p[3], p[0]) < 0.0;
 }
-} // namespace
+}
 
 void PlaneClip::Append(TetrahedraMesh& mesh, TetrahedraFields& fields,
   const std::vector<Plane>& planes, const Viewpoint& view, const std::vector<std::uint32_t>* order)
@@ -353,4 +353,4 @@ void PlaneClip::Remove(TetrahedraMesh& mesh, TetrahedraFields& fields)
     fields.Colors, fields.Kind == TetrahedraFields::CELL_COLORS ? this->Tetrahedra : this->Points);
 }
 
-} // namespace interlume
+}

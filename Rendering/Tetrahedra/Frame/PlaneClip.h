@@ -104,6 +104,6 @@ private:
   vtkIdType NumberClipped = 0;
 };
 
-} // namespace interlume
+}
 
 #endif

@@ -99,6 +99,6 @@ struct TetrahedraFrame
   }
 };
 
-} // namespace interlume
+}
 
 #endif

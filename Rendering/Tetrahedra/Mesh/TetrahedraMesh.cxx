@@ -51,4 +51,4 @@ bool TetrahedraMesh::HasPointBehind(const glm::dvec4& plane, double tolerance) c
   return isBehind;
 }
 
-} // namespace interlume
+}

@@ -90,6 +90,6 @@ struct TetrahedraMesh
   }
 };
 
-} // namespace interlume
+}
 
 #endif

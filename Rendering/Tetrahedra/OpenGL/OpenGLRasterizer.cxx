@@ -82,7 +82,7 @@ bool IsDepthSum(const TetrahedraFrame& frame)
 {
   return frame.Blend == TetrahedraFrame::OPTICAL_DEPTH || frame.Blend == TetrahedraFrame::PRIORITY;
 }
-} // namespace
+}
 
 OpenGLRasterizer::OpenGLRasterizer() = default;
 
@@ -592,4 +592,4 @@ void OpenGLRasterizer::ReleaseGraphicsResources(vtkWindow* window)
   this->ResolveQuad.ReleaseGraphicsResources(window);
 }
 
-} // namespace interlume
+}

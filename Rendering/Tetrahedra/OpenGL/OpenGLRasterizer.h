@@ -106,6 +106,6 @@ private:
   ImageQuad ResolveQuad;
 };
 
-} // namespace interlume
+}
 
 #endif

@@ -36,7 +36,7 @@ void FillKeys(const TetrahedraMesh& mesh, std::vector<std::uint32_t>& keys, cons
       }
     });
 }
-} // namespace
+}
 
 void CentroidOrder::Compute(
   const TetrahedraMesh& mesh, const Viewpoint& view, std::vector<std::uint32_t>& frontToBack)
@@ -78,4 +78,4 @@ std::size_t CentroidOrder::GetBytes() const
   return this->Keys.capacity() * sizeof(std::uint32_t) + this->Radix.GetBytes();
 }
 
-} // namespace interlume
+}

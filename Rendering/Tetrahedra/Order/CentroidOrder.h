@@ -40,6 +40,6 @@ private:
   RadixOrder Radix;
 };
 
-} // namespace interlume
+}
 
 #endif

@@ -58,7 +58,7 @@ unsigned char FindOrientation(const TetrahedraMesh& mesh, std::uint32_t tetrahed
   }
   return static_cast<unsigned char>(result);
 }
-} // namespace
+}
 
 void EyeSides::Build(const TetrahedraMesh& mesh, const std::vector<std::uint32_t>& twins)
 {
@@ -153,4 +153,4 @@ std::size_t EyeSides::GetBytes() const
   return this->Tetrahedra.capacity() + this->OpenFaces.capacity() * sizeof(std::uint32_t);
 }
 
-} // namespace interlume
+}

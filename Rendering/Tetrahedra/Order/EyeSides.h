@@ -54,6 +54,6 @@ private:
   double Radius = 0.0;
 };
 
-} // namespace interlume
+}
 
 #endif

@@ -70,7 +70,7 @@ void Match(std::vector<Candidate>& candidates, std::vector<std::uint32_t>& twins
     first = last;
   }
 }
-} // namespace
+}
 
 std::vector<std::uint32_t> FaceAdjacency::FindTwins(const TetrahedraMesh& mesh)
 {
@@ -118,4 +118,4 @@ std::vector<std::uint32_t> FaceAdjacency::FindTwins(const TetrahedraMesh& mesh)
   return twins;
 }
 
-} // namespace interlume
+}

@@ -28,8 +28,8 @@ constexpr std::uint32_t MaximumNumberOfTetrahedra = (1u << 30) - 1;
 /// point ids only, not on the view or on coordinates. Returns no faces for more than
 /// MaximumNumberOfTetrahedra.
 std::vector<std::uint32_t> FindTwins(const TetrahedraMesh& mesh);
-} // namespace FaceAdjacency
+}
 
-} // namespace interlume
+}
 
 #endif

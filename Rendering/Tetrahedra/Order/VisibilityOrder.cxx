@@ -41,4 +41,4 @@ std::size_t VisibilityOrder::GetBytes() const
     (this->Twins.capacity() + this->Centroids.capacity()) * sizeof(std::uint32_t);
 }
 
-} // namespace interlume
+}

@@ -77,6 +77,6 @@ private:
   vtkIdType InCycles = 0;
 };
 
-} // namespace interlume
+}
 
 #endif

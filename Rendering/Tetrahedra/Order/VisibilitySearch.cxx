@@ -12,7 +12,7 @@ namespace
 {
 /// The number of a tetrahedron that is listed, larger than any other.
 constexpr std::uint32_t Listed = 0xffffffffu;
-} // namespace
+}
 
 std::uint32_t VisibilitySearch::List(const VisibilityGraph& graph,
   const std::vector<std::uint32_t>& centroids, std::vector<std::uint32_t>& frontToBack)
@@ -128,4 +128,4 @@ std::size_t VisibilitySearch::GetBytes() const
     this->Frames.capacity() * sizeof(Frame);
 }
 
-} // namespace interlume
+}

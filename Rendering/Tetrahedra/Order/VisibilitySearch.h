@@ -63,6 +63,6 @@ private:
   std::vector<std::uint32_t> Ranks;
 };
 
-} // namespace interlume
+}
 
 #endif

@@ -430,7 +430,7 @@ void CheckHugeSteps(Check& check)
   }
 }
 
-/// Field data goes to both outputs.
+/// Field data goes to both outputs, and to contours, once.
 void CheckFieldData(Check& check)
 {
   auto image = MakeInput(1);
@@ -439,17 +439,24 @@ void CheckFieldData(Check& check)
   number->SetName("number");
   number->InsertNextValue(42);
   image->GetFieldData()->AddArray(number);
+  image->GetFieldData()->AddArray(vtkNew<vtkIntArray>()); // Without a name.
   vtkNew<vtkIntervalVolume> filter;
   filter->SetInputData(image);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "f");
   filter->SetInterval(0, 0.7, 2.1);
   filter->GenerateBoundariesOn();
   filter->Update();
-  for (int port = 0; port < 2; ++port)
+  vtkNew<vtkIsotableContour> contour;
+  contour->SetInputData(image);
+  contour->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "f");
+  contour->SetValue(0, 0.7);
+  contour->Update();
+  for (vtkDataObject* output : { filter->GetOutputDataObject(0), filter->GetOutputDataObject(1),
+         contour->GetOutputDataObject(0) })
   {
-    vtkDataArray* found = filter->GetOutputDataObject(port)->GetFieldData()->GetArray("number");
-    check.That(
-      found && found->GetTuple1(0) == 42.0, "field data of output " + std::to_string(port));
+    vtkDataArray* found = output->GetFieldData()->GetArray("number");
+    check.That(found && found->GetTuple1(0) == 42.0, "field data of an output");
+    check.Equal(output->GetFieldData()->GetNumberOfArrays(), 2, "arrays of field data");
   }
 }
 

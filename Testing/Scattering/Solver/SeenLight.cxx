@@ -353,25 +353,4 @@ std::vector<SeenLight::Energy> SeenLight::GetEnergy(
   return result;
 }
 
-SeenLight::Furnace SeenLight::GetFurnace(
-  const ScatteringField& field, double brightness, int rays, unsigned seed) const
-{
-  Random random(seed);
-  Furnace furnace;
-  std::vector<double> seen(1);
-  for (int ray = 0; ray < rays; ++ray)
-  {
-    const glm::dvec3 way = GetDirection(random);
-    double area = 0.0;
-    double through = 1.0;
-    const glm::dvec3 place = this->PlaceOnSides(way, random, area);
-    this->See(place, way, { &field }, random, seen, through);
-    const double all = seen[0] / brightness + through;
-    furnace.Mean += all / rays;
-    furnace.Least = std::min(furnace.Least, all);
-    furnace.Most = std::max(furnace.Most, all);
-  }
-  return furnace;
-}
-
 }

@@ -38,16 +38,6 @@ public:
   std::vector<Energy> GetEnergy(
     const std::vector<const interlume::ScatteringField*>& fields, int rays, unsigned seed) const;
 
-  /// What is seen along rays at random, with the light behind the box as bright as 1.
-  struct Furnace
-  {
-    double Mean = 0.0;
-    double Least = 2.0;
-    double Most = 0.0;
-  };
-  Furnace GetFurnace(
-    const interlume::ScatteringField& field, double brightness, int rays, unsigned seed) const;
-
 private:
   class Walk;
 

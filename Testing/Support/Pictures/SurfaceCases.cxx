@@ -84,11 +84,6 @@ Double3 GetDirection(const Double3& normal, double angle, double around)
   return direction;
 }
 
-double GetDistance(const Double3& x)
-{
-  return std::sqrt(vtkMath::Distance2BetweenPoints(x.data(), Double3{ { 0.5, 0.5, 0.5 } }.data()));
-}
-
 ShadowScene MakeLit(int cells, const Field& field, vtkVolumeProperty* property)
 {
   ShadowScene scene = MakeScene(MakeImage(cells, field), property);
@@ -134,38 +129,6 @@ SurfaceCase MakePlate(int cells, Double3 normal, double light, double eye, doubl
   return made;
 }
 
-ShadowScene MakeStepBall(int cells)
-{
-  return MakeLit(
-    cells, [](const Double3& x) { return 1.0 - 2.0 * GetDistance(x); },
-    MakeWhite({ { { 0.0, 0.0 } }, { { 0.15, 0.0 } }, { { 0.15 + 1e-4, 0.3 } }, { { 0.4, 0.3 } },
-                { { 0.4 + 1e-4, 0.9 } }, { { 1.0, 0.9 } } },
-      1.0 / cells));
-}
-
-ShadowScene MakeShell(int cells)
-{
-  const double from = 0.2;
-  const double to = from + 2.0 / cells;
-  return MakeLit(
-    cells, [](const Double3& x) { return 1.0 - 2.0 * GetDistance(x); },
-    MakeWhite({ { { 0.0, 0.0 } }, { { from, 0.0 } }, { { from + 1e-4, 0.95 } }, { { to, 0.95 } },
-                { { to + 1e-4, 0.0 } }, { { 1.0, 0.0 } } },
-      1.0 / cells));
-}
-
-ShadowScene MakeSheet(int cells)
-{
-  return MakeLit(
-    cells,
-    [cells](const Double3& x)
-    {
-      const double height = 0.3 * (x[0] - 0.5) + 0.2 * (x[1] - 0.5) + x[2] - 0.5;
-      return std::abs(height) * cells < 0.5 ? 1.0 : 0.0;
-    },
-    MakeWhite({ { { 0.0, 0.0 } }, { { 1.0, 0.95 } } }, 1.0 / cells));
-}
-
 SurfaceErrors MeasureSurface(const RgbaPicture& found, const PixelFunction& expected)
 {
   std::vector<double> all;
@@ -200,16 +163,6 @@ SurfaceErrors MeasureSurface(const RgbaPicture& found, const PixelFunction& expe
   errors.Rms = std::sqrt(squares / count) / (level / count);
   errors.Bias = excess / level;
   return errors;
-}
-
-SurfaceErrors MeasureSurface(const RgbaPicture& found, const RgbaPicture& expected)
-{
-  return MeasureSurface(found,
-    [&](int i, int j)
-    {
-      const double* pixel = expected.At(i, j);
-      return pixel[3] > 1e-3 ? pixel[0] : std::nan("");
-    });
 }
 
 std::ostream& operator<<(std::ostream& os, const SurfaceErrors& errors)

@@ -32,14 +32,6 @@ SurfaceCase MakeOpaqueCube(int cells);
 /// degrees around it apart.
 SurfaceCase MakePlate(int cells, Double3 normal, double light, double eye, double around);
 
-/// A ball in a cube of cells^3: steps of opacity to 0.3 and 0.9 a voxel, or a shell of 0.95 as
-/// thick as a voxel.
-ShadowScene MakeStepBall(int cells);
-ShadowScene MakeShell(int cells);
-/// A sheet aslant through a cube of cells^3, the voxels next to it of 0.95: half as thick at half
-/// its opacity.
-ShadowScene MakeSheet(int cells);
-
 struct SurfaceErrors
 {
   double Mean = 0.0;
@@ -53,8 +45,6 @@ struct SurfaceErrors
 
 /// Over the pixels for which a number is expected.
 SurfaceErrors MeasureSurface(const RgbaPicture& found, const PixelFunction& expected);
-/// Over the pixels of which anything is seen in the second.
-SurfaceErrors MeasureSurface(const RgbaPicture& found, const RgbaPicture& expected);
 
 std::ostream& operator<<(std::ostream& os, const SurfaceErrors& errors);
 

@@ -63,7 +63,6 @@ protected:
     std::vector<ExtinctionRange> ranges);
 
   const glm::dvec3& GetLower() const { return this->Lower; }
-  const glm::dvec3& GetUpper() const { return this->Upper; }
 
 private:
   glm::dvec3 Lower{};
