@@ -14,6 +14,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntervalVolume.h"
+#include "vtkIsotableContour.h"
 #include "vtkImageData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
