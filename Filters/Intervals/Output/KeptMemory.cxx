@@ -62,7 +62,6 @@ struct KeptMemory::Store
   Block Take(std::size_t bytes)
   {
     Block block = this->Remove(bytes);
-    this->Taken += bytes;
     this->Reused += std::min(bytes, block.Capacity);
     if (block.Capacity < bytes)
     {
@@ -85,7 +84,6 @@ struct KeptMemory::Store
 
   std::vector<Block> Idle;
   int Execution = 0;
-  std::size_t Taken = 0;
   std::size_t Reused = 0;
 };
 
@@ -181,7 +179,6 @@ void KeptMemory::BeginExecution()
 {
   const std::lock_guard<std::mutex> lock(BlocksInUse<Store>::Get().Mutex);
   ++this->Kept->Execution;
-  this->Kept->Taken = 0;
   this->Kept->Reused = 0;
 }
 
@@ -193,11 +190,6 @@ void KeptMemory::EndExecution()
     [this](const Store::Block& block) { return block.LastUse >= this->Kept->Execution - 1; });
   std::for_each(gone, idle.end(), [](const Store::Block& block) { std::free(block.Memory); });
   idle.erase(gone, idle.end());
-}
-
-std::size_t KeptMemory::GetBytesTaken() const
-{
-  return this->Kept->Taken;
 }
 
 std::size_t KeptMemory::GetBytesReused() const

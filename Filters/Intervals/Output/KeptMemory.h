@@ -54,11 +54,8 @@ public:
   /// Frees the blocks that neither this execution nor the one before has used.
   void EndExecution();
 
-  ///@{
-  /// Return the bytes asked for in this execution, and how many of them were in blocks used before.
-  std::size_t GetBytesTaken() const;
+  /// Returns the bytes that this execution took from blocks used before.
   std::size_t GetBytesReused() const;
-  ///@}
   /// Returns the bytes of the blocks that nobody holds.
   std::size_t GetBytesIdle() const;
 

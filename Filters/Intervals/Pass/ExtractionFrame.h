@@ -12,19 +12,19 @@ namespace interlume
 
 /**
  * @class   ExtractionFrame
- * @brief   the stages of every extraction: classify, count, allocate, write
+ * @brief   runs the stages of an extraction: classify, count, allocate, write
  *
  * A pass derives from it, for one kind of grid, which it divides into parts: rows or chunks of
- * cells. Any number of threads count and write parts; the results do not depend on them, since each
- * part writes in the places that the counts of those before it leave. \a Local is what a thread
- * keeps. A pass has these stages:
+ * cells. Any number of threads count and write parts. The result does not depend on the number of
+ * threads, since the counts of the preceding parts determine where a part is written. \a Local is
+ * the data of a thread. A pass has these stages:
  * - bool Classify(): computes the codes of the points. Like Settle(), it returns false if the user
  *   aborted.
  * - void CountPart(vtkIdType part, Local&): counts the output of a part.
  * - bool Settle(): does what depends on the counts of all parts.
- * - void Allocate(): turns counts into places, and allocates the output.
+ * - void Allocate(): turns counts into offsets, and allocates the output.
  * - void WritePart(vtkIdType part, Local&): writes the output of a part.
- * - void Finish(): gathers what parts and threads have noted.
+ * - void Finish(): gathers the results of parts and threads.
  * - Progress: the progress at the beginning and end of counting, then of writing.
  */
 template <typename Pass, typename Local>

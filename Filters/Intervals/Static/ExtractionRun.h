@@ -34,17 +34,17 @@ public:
   /// \a findError, the filter's parameters are invalid.
   vtkDataArray* FindScalars(vtkDataSet* input, const std::function<std::string()>& findError);
 
-  /// Adds the report of a dataset, and warns of what it says.
+  /// Adds the report of a dataset, and gives its warnings.
   void Add(vtkDataSet* input, int precision, const vtkExtractionReport& report);
 
   EmptyResult& GetEmptyResult() { return this->Empty; }
 
-  /// What a filter is set to extract.
+  /// The intervals to extract.
   struct Goal
   {
     /// An isosurface is an interval of zero width.
     std::vector<vtkIntervalList::Interval> Intervals;
-    /// The goal in words, and the reason for an empty output if there is none: see EmptyResult.
+    /// Texts for EmptyResult: the goal, and the reason for an empty output if no goal is set.
     std::string Sought;
     std::string Unset;
   };

@@ -34,7 +34,7 @@ struct RowNotes
 
 /**
  * @class   RowPass
- * @brief   the common part of extractions by rows: a row owns points and its cells give simplices
+ * @brief   shares the stages of extractions by rows: a row owns points, its cells give simplices
  *
  * \a Local derives from RowNotes.
  */

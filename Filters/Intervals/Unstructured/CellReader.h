@@ -23,7 +23,7 @@ namespace interlume
 
 /**
  * @class   CellReader
- * @brief   the cells of an unstructured grid that are near an item
+ * @brief   reads the cells of an unstructured grid that are near an item
  *
  * \a Stored is the type of the cell array's numbers.
  */
