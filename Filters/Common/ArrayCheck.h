@@ -2,6 +2,8 @@
 #ifndef interlume_ArrayCheck_h
 #define interlume_ArrayCheck_h
 
+#include "Common/Error.h"
+
 #include "vtkAbstractArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -16,9 +18,9 @@ namespace interlume
 {
 
 /**
- * Says what is wrong with an array, everywhere in the same words: which array it is, what it has,
- * and what is needed. Each function returns a part of a sentence, or nothing where all is well;
- * MakeSentence makes it a message of its own.
+ * Checks arrays, with the same wording of errors everywhere: which array it is, what it has, and
+ * what is needed. The message of an error is a part of a sentence; MakeSentence makes it a sentence
+ * of its own.
  */
 namespace ArrayCheck
 {
@@ -35,40 +37,38 @@ inline std::string Count(vtkIdType number, const std::string& thing)
   return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
 }
 
-/// Returns an error message if an array has not one tuple for each of \a number things, such as
+/// Returns an error if an array does not have one tuple for each of \a number things, such as
 /// points.
-inline std::string FindLengthFault(
-  vtkAbstractArray* array, vtkIdType number, const std::string& thing)
+inline Error FindLengthError(vtkAbstractArray* array, vtkIdType number, const std::string& thing)
 {
   const vtkIdType tuples = array->GetNumberOfTuples();
-  return tuples == number ? std::string()
+  return tuples == number ? Error()
                           : Describe(array) + " has " + Count(tuples, "tuple") + "; " +
       std::to_string(number) + (number == 1 ? " is" : " are") + " needed, one for each " + thing;
 }
 
 /// Returns the same for the first such array of points or cells.
-inline std::string FindLengthFault(vtkDataSet* data)
+inline Error FindLengthError(vtkDataSet* data)
 {
   for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
   {
     vtkDataSetAttributes* arrays = data->GetAttributes(association);
     for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
     {
-      const std::string fault =
-        FindLengthFault(arrays->GetAbstractArray(i), data->GetNumberOfElements(association),
-          association == vtkDataObject::POINT ? "point" : "cell");
-      if (!fault.empty())
+      if (Error error =
+            FindLengthError(arrays->GetAbstractArray(i), data->GetNumberOfElements(association),
+              association == vtkDataObject::POINT ? "point" : "cell"))
       {
-        return fault;
+        return error;
       }
     }
   }
   return {};
 }
 
-/// Returns why an array cannot be read: it has to have numbers, in so many components, 0 for any
-/// number of them, and one tuple for each of \a number things, such as points.
-inline std::string FindShapeFault(
+/// Returns an error if an array is not numeric, has another number of components (0: any), or does
+/// not have one tuple for each of \a number things, such as points.
+inline Error FindShapeError(
   vtkAbstractArray* array, int components, vtkIdType number, const std::string& thing)
 {
   if (!vtkDataArray::SafeDownCast(array))
@@ -80,34 +80,34 @@ inline std::string FindShapeFault(
     return Describe(array) + " has " + Count(array->GetNumberOfComponents(), "component") + "; " +
       std::to_string(components) + (components == 1 ? " is needed" : " are needed");
   }
-  return FindLengthFault(array, number, thing);
+  return FindLengthError(array, number, thing);
 }
 
-inline std::string FindPointFault(vtkDataSet* data, vtkAbstractArray* array, int components)
+inline Error FindPointError(vtkDataSet* data, vtkAbstractArray* array, int components)
 {
-  return FindShapeFault(array, components, data->GetNumberOfPoints(), "point");
+  return FindShapeError(array, components, data->GetNumberOfPoints(), "point");
 }
 
 ///@{
-/// Return why a dataset has no such array of that name. \a owner names the dataset.
-inline std::string FindPointFault(
+/// Return an error if a dataset has no such array of that name. \a owner names the dataset.
+inline Error FindPointError(
   vtkDataSet* data, const std::string& owner, const std::string& name, int components)
 {
   vtkAbstractArray* array = data->GetPointData()->GetAbstractArray(name.c_str());
-  return array ? FindPointFault(data, array, components)
+  return array ? FindPointError(data, array, components)
                : "the " + owner + " has no point array \"" + name + "\"";
 }
-inline std::string FindCellFault(
+inline Error FindCellError(
   vtkDataSet* data, const std::string& owner, const std::string& name, int components)
 {
   vtkAbstractArray* array = data->GetCellData()->GetAbstractArray(name.c_str());
-  return array ? FindShapeFault(array, components, data->GetNumberOfCells(), "cell")
+  return array ? FindShapeError(array, components, data->GetNumberOfCells(), "cell")
                : "the " + owner + " has no cell array \"" + name + "\"";
 }
 ///@}
 
-/// Returns why an array of an association, one of vtkDataObject's, has no values at points.
-inline std::string FindPlaceFault(vtkAbstractArray* array, int association)
+/// Returns an error if an array of an association, one of vtkDataObject's, is not a point array.
+inline Error FindAssociationError(vtkAbstractArray* array, int association)
 {
   if (association == vtkDataObject::FIELD_ASSOCIATION_POINTS)
   {
@@ -119,15 +119,19 @@ inline std::string FindPlaceFault(vtkAbstractArray* array, int association)
         : "; values are needed at the points");
 }
 
+///@{
+/// Return a part of a sentence, which is not empty, as a sentence with a capital letter and a
+/// period.
 inline std::string MakeSentence(std::string part)
 {
-  if (!part.empty())
-  {
-    part[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(part[0])));
-    part += '.';
-  }
-  return part;
+  part[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(part[0])));
+  return part + '.';
 }
+inline Error MakeSentence(const Error& part)
+{
+  return part ? Error(MakeSentence(part.GetMessage()), part.GetCode()) : Error();
+}
+///@}
 }
 
 }

@@ -27,24 +27,23 @@ inline vtkSmartPointer<Array> Get(vtkPointData* points)
   return ids ? ArrayViews::Get<Array>(ids) : vtkSmartPointer<Array>();
 }
 
-/// Returns an error message, a part of a sentence, if global ids cannot order the points of \a
-/// data, otherwise an empty string.
-inline std::string FindFault(vtkDataSet* data)
+/// Returns an error, whose message is a part of a sentence, if global ids cannot order the points
+/// of \a data.
+inline Error FindError(vtkDataSet* data)
 {
   vtkDataArray* ids = data->GetPointData()->GetGlobalIds();
   if (!ids)
   {
     return {};
   }
-  std::string fault = ArrayCheck::FindPointFault(data, ids, 1);
+  Error error = ArrayCheck::FindPointError(data, ids, 1);
   const int type = ids->GetDataType();
-  if (fault.empty() && (type == VTK_FLOAT || type == VTK_DOUBLE || type == VTK_BIT))
+  if (!error && (type == VTK_FLOAT || type == VTK_DOUBLE || type == VTK_BIT))
   {
-    fault = ArrayCheck::Describe(ids) + " is a " + ids->GetClassName() + "; integers are needed";
+    error = ArrayCheck::Describe(ids) + " is a " + ids->GetClassName() + "; integers are needed";
   }
-  return fault.empty() ? fault
-                       : "the global ids of the points cannot be used: " + fault +
-      ". Correct them, or remove them (vtkPointData::SetGlobalIds(nullptr))";
+  return error.Within("the global ids of the points cannot be used: ",
+    ". Correct them, or remove them (vtkPointData::SetGlobalIds(nullptr))");
 }
 }
 

@@ -29,7 +29,7 @@ namespace interlume
 {
 
 /**
- * Says where the arrays that a grid is made of contradict each other, as those of a damaged file
+ * Checks whether the arrays of a grid contradict each other, as those of a damaged file
  * do, before anyone follows them beyond their ends: cells that name points which are not there,
  * that have fewer points than their type, or whose offsets decrease; fewer points or coordinates
  * than the extent has; polyhedra without faces.
@@ -104,7 +104,7 @@ inline vtkIdType GetLeastSize(unsigned char type)
 
 /**
  * @class   CheckedArrays
- * @brief   remembers the cells and points in which nothing was wrong, by when their arrays were
+ * @brief   remembers the cells and points that had no error, by when their arrays were
  *          modified, so that filters of one grid, and one filter that executes again, look through
  *          them once
  */
@@ -158,7 +158,7 @@ private:
   }
 };
 
-/// Returns whether the cells first ... last - 1 have nothing wrong; \a all is the number of entries
+/// Returns whether the cells first ... last - 1 can be used; \a all is the number of entries
 /// of the connectivity array. \a hasPolyhedra is set where one of them is a polyhedron.
 template <typename Offset, typename Id>
 bool AreWhole(vtkIdType first, vtkIdType last, const unsigned char* types, const Offset* offsets,
@@ -201,15 +201,14 @@ bool AreWhole(vtkIdType first, vtkIdType last, const unsigned char* types, const
   return static_cast<Id>(bits) >= 0;
 }
 
-/// Returns what is wrong with a cell, or nothing. \a all is the number of entries of the
+/// Returns an error if a cell cannot be used. \a all is the number of entries of the
 /// connectivity array.
-inline std::string DescribeCell(vtkUnstructuredGrid* grid, vtkIdType cell, const StoredIds& offsets,
+inline Error FindCellError(vtkUnstructuredGrid* grid, vtkIdType cell, const StoredIds& offsets,
   const StoredIds& ids, vtkIdType all)
 {
   const int type = grid->GetCellType(cell);
-  const auto describe = [&](const std::string& fault)
-  {
-    return "cell " + std::to_string(cell) + " (" + GridCells::GetClassName(type) + ") has " + fault;
+  const auto describe = [&](const std::string& part) {
+    return "cell " + std::to_string(cell) + " (" + GridCells::GetClassName(type) + ") has " + part;
   };
   const vtkIdType first = offsets.Get(cell);
   const vtkIdType last = offsets.Get(cell + 1);
@@ -235,12 +234,12 @@ inline std::string DescribeCell(vtkUnstructuredGrid* grid, vtkIdType cell, const
   return {};
 }
 
-/// Returns an error message for the faces of a polyhedron, or an empty string.
-inline std::string DescribeFaces(vtkUnstructuredGrid* grid, vtkIdType cell)
+/// Returns an error if the faces of a polyhedron cannot be used.
+inline Error FindFaceError(vtkUnstructuredGrid* grid, vtkIdType cell)
 {
   constexpr vtkIdType leastFaces = 4;
-  const auto describe = [cell](const std::string& fault)
-  { return "cell " + std::to_string(cell) + " (vtkPolyhedron) has " + fault; };
+  const auto describe = [cell](const std::string& part)
+  { return "cell " + std::to_string(cell) + " (vtkPolyhedron) has " + part; };
   if (!GridCells::HasFaces(grid, cell))
   {
     return describe("no faces in the grid's arrays of faces. Set the faces with the cells");
@@ -269,22 +268,21 @@ inline std::string DescribeFaces(vtkUnstructuredGrid* grid, vtkIdType cell)
   return {};
 }
 
-/// Returns an error message for the first polyhedron whose faces cannot be used, or an empty
-/// string.
-inline std::string FindPolyhedronFault(vtkUnstructuredGrid* grid)
+/// Returns an error for the first polyhedron whose faces cannot be used.
+inline Error FindPolyhedronError(vtkUnstructuredGrid* grid)
 {
-  std::string fault;
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells() && fault.empty(); ++cell)
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
-    if (grid->GetCellType(cell) == VTK_POLYHEDRON)
+    Error error = grid->GetCellType(cell) == VTK_POLYHEDRON ? FindFaceError(grid, cell) : Error();
+    if (error)
     {
-      fault = DescribeFaces(grid, cell);
+      return error;
     }
   }
-  return fault;
+  return {};
 }
 
-inline std::string FindUnstructuredFault(vtkUnstructuredGrid* grid)
+inline Error FindUnstructuredError(vtkUnstructuredGrid* grid)
 {
   const vtkIdType cells = grid->GetNumberOfCells();
   if (cells == 0)
@@ -325,31 +323,30 @@ inline std::string FindUnstructuredFault(vtkUnstructuredGrid* grid)
   };
   offsets.Visit([&](const auto* firstOffset)
     { ids.Visit([&](const auto* firstId) { check(firstOffset, firstId); }); });
-  std::string fault;
-  if (!areWhole)
+  for (vtkIdType cell = 0; cell < cells && !areWhole; ++cell)
   {
-    for (vtkIdType cell = 0; cell < cells && fault.empty(); ++cell)
+    if (Error error = FindCellError(grid, cell, offsets, ids, all))
     {
-      fault = DescribeCell(grid, cell, offsets, ids, all);
+      return error;
     }
   }
-  else if (hasPolyhedra)
+  if (hasPolyhedra)
   {
-    fault = FindPolyhedronFault(grid);
+    if (Error error = FindPolyhedronError(grid))
+    {
+      return error;
+    }
   }
-  if (fault.empty())
-  {
-    CheckedArrays::Add(key);
-  }
-  return fault;
+  CheckedArrays::Add(key);
+  return {};
 }
 
-/// Returns what is wrong, a part of a sentence, or nothing.
-inline std::string Find(vtkDataSet* data)
+/// Returns an error, whose message is a part of a sentence, if a dataset cannot be used.
+inline Error FindError(vtkDataSet* data)
 {
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
-    return FindUnstructuredFault(grid);
+    return FindUnstructuredError(grid);
   }
   if (auto* grid = vtkStructuredGrid::SafeDownCast(data))
   {
@@ -357,7 +354,7 @@ inline std::string Find(vtkDataSet* data)
     grid->GetDimensions(size);
     const vtkIdType needed = static_cast<vtkIdType>(size[0]) * size[1] * size[2];
     return grid->GetNumberOfPoints() == needed
-      ? std::string()
+      ? Error()
       : "the grid has " + ArrayCheck::Count(grid->GetNumberOfPoints(), "point") +
         "; its extent has " + std::to_string(needed);
   }

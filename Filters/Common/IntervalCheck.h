@@ -2,6 +2,8 @@
 #ifndef interlume_IntervalCheck_h
 #define interlume_IntervalCheck_h
 
+#include "Common/Error.h"
+
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -11,20 +13,21 @@ namespace interlume
 
 namespace IntervalCheck
 {
-/// Returns why lower ... upper is not an interval, as a sentence that begins with its \a name, or
-/// nothing.
-inline std::string Find(const std::string& name, double lower, double upper)
+/// Returns an error, a sentence that begins with \a name, if lower ... upper is not an interval.
+inline Error FindError(const std::string& name, double lower, double upper)
 {
-  std::ostringstream what;
+  std::ostringstream text;
   if (!std::isfinite(lower) || !std::isfinite(upper))
   {
-    what << name << " [" << lower << ", " << upper << "] is not finite.";
+    text << name << " [" << lower << ", " << upper << "] is not finite.";
+    return text.str();
   }
-  else if (lower > upper)
+  if (lower > upper)
   {
-    what << name << " has lower value " << lower << " above its upper value " << upper << ".";
+    text << name << " has lower value " << lower << " above its upper value " << upper << ".";
+    return text.str();
   }
-  return what.str();
+  return {};
 }
 }
 

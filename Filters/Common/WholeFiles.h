@@ -49,7 +49,7 @@ inline bool IsThere(const std::string& fileName)
 
 inline void Remove(const std::string& fileName)
 {
-  // That there is none is nothing wrong.
+  // It is no error if there is none.
   std::error_code ignored;
   std::filesystem::remove(GetPath(fileName), ignored);
 }
@@ -59,16 +59,16 @@ inline void Remove(const std::string& fileName)
 inline bool Finish(const std::string& fileName, bool isWritten)
 {
   const std::string temporary = GetTemporaryName(fileName);
-  std::error_code wrong;
+  std::error_code error;
   if (isWritten)
   {
-    std::filesystem::rename(GetPath(temporary), GetPath(fileName), wrong);
+    std::filesystem::rename(GetPath(temporary), GetPath(fileName), error);
   }
-  if (!isWritten || wrong)
+  if (!isWritten || error)
   {
     Remove(temporary);
   }
-  return isWritten && !wrong;
+  return isWritten && !error;
 }
 
 /// Returns whether the temporary file can be made, and removes it, whoever has left it.
@@ -102,9 +102,9 @@ inline std::string GetLastLine(const std::string& fileName, std::uintmax_t bytes
 /// Ends a file with the digest of its bytes. Returns whether that was possible.
 inline bool Seal(const std::string& fileName)
 {
-  std::error_code wrong;
-  const std::uintmax_t bytes = std::filesystem::file_size(GetPath(fileName), wrong);
-  const std::string line = wrong ? std::string() : GetLastLine(fileName, bytes);
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(GetPath(fileName), error);
+  const std::string line = error ? std::string() : GetLastLine(fileName, bytes);
   std::ofstream file(GetPath(fileName), std::ios::out | std::ios::binary | std::ios::app);
   file << line << std::flush;
   return !line.empty() && file;
@@ -114,9 +114,9 @@ inline bool Seal(const std::string& fileName)
 inline bool IsSealed(const std::string& fileName)
 {
   std::string line = GetLastLine(fileName, 0);
-  std::error_code wrong;
-  const std::uintmax_t bytes = std::filesystem::file_size(GetPath(fileName), wrong);
-  if (wrong || bytes < line.size())
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(GetPath(fileName), error);
+  if (error || bytes < line.size())
   {
     return false;
   }
@@ -136,9 +136,9 @@ inline void Silence(vtkAlgorithm* algorithm)
   algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
 }
 
-/// Writes the input of a writer, with data compressed and in text: with expat 2.5.0-1+deb12u2, which
-/// Debian 12 has been updated to, ParaView 5.11 fails to read bytes that are appended. Returns
-/// whether that was possible.
+/// Writes the input of a writer, with data compressed and in text: with expat 2.5.0-1+deb12u2,
+/// which Debian 12 has been updated to, ParaView 5.11 fails to read bytes that are appended.
+/// Returns whether that was possible.
 inline bool Write(vtkXMLWriter* writer, const std::string& fileName)
 {
   Silence(writer);

@@ -2,6 +2,7 @@
 #include "vtkFlowCriticalPoints.h"
 
 #include "Common/AbortCheck.h"
+#include "Common/Error.h"
 #include "Common/NamedValue.h"
 #include "Fields/FieldVectors.h"
 #include "Numerics/RealEigenvalues.h"
@@ -124,11 +125,10 @@ int vtkFlowCriticalPoints::RequestData(
   }
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* vectors = this->GetInputArrayToProcess(0, inputs, association);
-  const std::string wrong =
-    interlume::FieldVectors::Check(input, vectors, association, this->GetInputArrayInformation(0));
-  if (!wrong.empty())
+  if (const interlume::Error error = interlume::FieldVectors::Check(
+        input, vectors, association, this->GetInputArrayInformation(0)))
   {
-    vtkErrorMacro(<< wrong);
+    vtkErrorMacro(<< error);
     return 1;
   }
   this->SetProgressText("Searching cells for critical points");

@@ -3,6 +3,7 @@
 
 #include "Common/AbortCheck.h"
 #include "Common/Batches.h"
+#include "Common/Error.h"
 #include "Common/NamedValue.h"
 #include "Common/Vectors.h"
 #include "Convolution/ArcWalk.h"
@@ -76,7 +77,7 @@ int vtkFlowLIC::RequestUpdateExtent(
   return 1;
 }
 
-bool vtkFlowLIC::FindSteps(vtkDataSet* points)
+interlume::Error vtkFlowLIC::FindSteps(vtkDataSet* points)
 {
   vtkFlowLICReport& report = this->Report;
   report.NoiseScale = this->NoiseScale;
@@ -94,11 +95,12 @@ bool vtkFlowLIC::FindSteps(vtkDataSet* points)
   const double steps = std::max(1.0, std::ceil(report.Length / step * (1.0 - 1e-12)));
   if (!(steps <= MostSteps))
   {
-    return false;
+    return "Length " + std::to_string(report.Length) +
+      " is more than 1,000,000 steps of StepLength.";
   }
   report.Steps = static_cast<int>(steps);
   report.StepLength = report.Length / steps;
-  return true;
+  return {};
 }
 
 int vtkFlowLIC::RequestData(
@@ -115,23 +117,19 @@ int vtkFlowLIC::RequestData(
   }
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* vectors = this->GetInputArrayToProcess(0, field, association);
-  std::string wrong = interlume::FieldVectors::CheckVectors(
+  interlume::Error error = interlume::FieldVectors::CheckVectors(
     field, vectors, association, this->GetInputArrayInformation(0));
-  if (wrong.empty() && !this->FindSteps(points))
-  {
-    wrong = "Length " + std::to_string(this->Report.Length) +
-      " is more than 1,000,000 steps of StepLength.";
-  }
+  error = error.Then([&] { return this->FindSteps(points); });
   output->ShallowCopy(points);
   this->SetProgressText("Convolving noise along streamlines");
   vtkNew<vtkFloatArray> values;
   interlume::FillValues fill;
   vtkIdType nonFinite = 0;
-  if (wrong.empty())
+  if (!error)
   {
     values->SetName("LIC");
     values->SetNumberOfValues(points->GetNumberOfPoints());
-    wrong = interlume::FieldDispatch::Execute(
+    error = interlume::FieldDispatch::Execute(
       field, vectors, {},
       [&](const auto& walker)
       {
@@ -141,11 +139,11 @@ int vtkFlowLIC::RequestData(
       },
       interlume::StageProgress(this, 0.0, interlume::FieldDispatch::BuildingPart));
   }
-  if (!wrong.empty())
+  if (error)
   {
-    vtkErrorMacro(<< wrong);
+    vtkErrorMacro(<< error);
   }
-  if (!wrong.empty() || this->GetAbortExecute())
+  if (error || this->GetAbortExecute())
   {
     output->Initialize();
     return this->GetAbortExecute() ? interlume::AbortCheck::Leave(outputs) : 1;

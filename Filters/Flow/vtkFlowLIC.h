@@ -10,6 +10,7 @@
 
 namespace interlume
 {
+class Error;
 class MeshLinks;
 }
 
@@ -146,9 +147,9 @@ private:
   vtkFlowLIC(const vtkFlowLIC&) = delete;
   void operator=(const vtkFlowLIC&) = delete;
 
-  /// Fills the lengths and the number of steps in the report. Returns false where there are too
+  /// Fills the lengths and the number of steps in the report. Returns an error if there are too
   /// many steps.
-  bool FindSteps(vtkDataSet* points);
+  interlume::Error FindSteps(vtkDataSet* points);
   template <typename Walker>
   void Convolve(const Walker& walker, vtkDataSet* points, float* values);
 

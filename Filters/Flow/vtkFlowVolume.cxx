@@ -3,6 +3,7 @@
 
 #include "Common/AbortCheck.h"
 #include "Common/ArrayCheck.h"
+#include "Common/Error.h"
 #include "Common/GlobalIds.h"
 #include "Common/GridCheck.h"
 #include "Common/IntervalCheck.h"
@@ -49,13 +50,13 @@ double GetValue(const std::vector<double>& values, int i)
   return i >= 0 && i < static_cast<int>(values.size()) ? values[i] : 0.0;
 }
 
-std::string CheckSurfaces(const std::string& name, const std::vector<double>& values)
+interlume::Error CheckSurfaces(const std::string& name, const std::vector<double>& values)
 {
-  const auto wrong =
+  const auto found =
     std::find_if(values.begin(), values.end(), [](double value) { return !std::isfinite(value); });
-  return wrong == values.end()
-    ? std::string()
-    : name + " surface " + std::to_string(wrong - values.begin()) + " is not at a finite value.";
+  return found == values.end()
+    ? interlume::Error()
+    : name + " surface " + std::to_string(found - values.begin()) + " is not at a finite value.";
 }
 
 vtkSmartPointer<vtkIntArray> MakeIds(const char* name, vtkIntArray* items, vtkIdType number)
@@ -204,10 +205,9 @@ void vtkFlowVolume::SetNumberOfIntervals(int number)
 
 void vtkFlowVolume::SetInterval(int i, double lower, double upper)
 {
-  const std::string wrong = this->Intervals.Set(i, lower, upper, this);
-  if (!wrong.empty())
+  if (const interlume::Error error = this->Intervals.Set(i, lower, upper, this))
   {
-    vtkErrorMacro(<< wrong);
+    vtkErrorMacro(<< error);
   }
 }
 
@@ -284,35 +284,37 @@ int vtkFlowVolume::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-std::string vtkFlowVolume::CheckParameters(vtkDataSet* input, bool usesInflow) const
+interlume::Error vtkFlowVolume::CheckParameters(vtkDataSet* input, bool usesInflow) const
 {
-  std::string wrong =
-    interlume::ImplicitFlowArrays::CheckArray(input, vtkFlowStatus::TimeArray(), 1);
-  wrong = wrong.empty()
-    ? interlume::ArrayCheck::MakeSentence(interlume::GridCheck::Find(input))
-    : wrong;
-  wrong = wrong.empty()
-    ? interlume::ArrayCheck::MakeSentence(interlume::GlobalIds::FindFault(input))
-    : wrong;
-  if (wrong.empty() && usesInflow)
+  using interlume::ArrayCheck::MakeSentence;
+  const auto checkInflow = [&]
   {
-    wrong = interlume::ArrayCheck::FindPointFault(input, "input", vtkFlowStatus::InflowArray(), 1);
-    wrong = wrong.empty() ? wrong
-                          : interlume::ArrayCheck::MakeSentence(wrong) +
+    return MakeSentence(
+      interlume::ArrayCheck::FindPointError(input, "input", vtkFlowStatus::InflowArray(), 1))
+      .Within("",
         " Intervals and stream surfaces need that of vtkInflowMapping: apply it first, or take "
-        "them out.";
-  }
-  for (int i = 0; wrong.empty() && i < this->GetNumberOfIntervals(); ++i)
+        "them out.");
+  };
+  interlume::Error error =
+    interlume::ImplicitFlowArrays::CheckArray(input, vtkFlowStatus::TimeArray(), 1)
+      .Then([&] { return MakeSentence(interlume::GridCheck::FindError(input)); })
+      .Then([&] { return MakeSentence(interlume::GlobalIds::FindError(input)); })
+      .Then([&] { return usesInflow ? checkInflow() : interlume::Error(); });
+  for (int i = 0; !error && i < this->GetNumberOfIntervals(); ++i)
   {
     const vtkIntervalList::Interval& interval = this->Intervals.GetAll()[i];
-    wrong =
-      interlume::IntervalCheck::Find("Interval " + std::to_string(i), interval[0], interval[1]);
+    error = interlume::IntervalCheck::FindError(
+      "Interval " + std::to_string(i), interval[0], interval[1]);
   }
-  wrong = wrong.empty()
-    ? interlume::IntervalCheck::Find("The time range", this->TimeRange[0], this->TimeRange[1])
-    : wrong;
-  wrong = wrong.empty() ? CheckSurfaces("Stream", this->StreamSurfaces) : wrong;
-  return wrong.empty() ? CheckSurfaces("Time", this->TimeSurfaces) : wrong;
+  return error
+    .Then(
+      [&]
+      {
+        return interlume::IntervalCheck::FindError(
+          "The time range", this->TimeRange[0], this->TimeRange[1]);
+      })
+    .Then([&] { return CheckSurfaces("Stream", this->StreamSurfaces); })
+    .Then([&] { return CheckSurfaces("Time", this->TimeSurfaces); });
 }
 
 int vtkFlowVolume::RequestData(
@@ -326,11 +328,10 @@ int vtkFlowVolume::RequestData(
   }
   const bool usesInflow = this->GetNumberOfIntervals() > 0 || this->GetNumberOfStreamSurfaces() > 0;
   interlume::ImplicitFlowArrays arrays;
-  std::string wrong = arrays.Find(input);
-  wrong = wrong.empty() ? this->CheckParameters(input, usesInflow) : wrong;
-  if (!wrong.empty())
+  if (const interlume::Error error =
+        arrays.Find(input).Then([&] { return this->CheckParameters(input, usesInflow); }))
   {
-    vtkErrorMacro(<< wrong);
+    vtkErrorMacro(<< error);
     return 1;
   }
   const interlume::SurfaceLevels byInflow(this->GetNumberOfIntervals() > 0

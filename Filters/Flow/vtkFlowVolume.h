@@ -16,6 +16,7 @@ class vtkDataSet;
 
 namespace interlume
 {
+class Error;
 class ImplicitFlowArrays;
 class SurfaceLevels;
 class VolumeExtraction;
@@ -209,8 +210,8 @@ private:
   vtkFlowVolume(const vtkFlowVolume&) = delete;
   void operator=(const vtkFlowVolume&) = delete;
 
-  /// Returns what is wrong with the arrays and the settings, or nothing.
-  std::string CheckParameters(vtkDataSet* input, bool usesInflow) const;
+  /// Returns an error if the arrays or the settings cannot be used.
+  interlume::Error CheckParameters(vtkDataSet* input, bool usesInflow) const;
   void SetNumberOfSurfaces(std::vector<double>& values, int number);
   void SetSurface(std::vector<double>& values, int i, double value);
   /// Returns which part of the volume is missing, and what the input has; nothing where nothing is

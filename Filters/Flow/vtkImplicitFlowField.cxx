@@ -5,6 +5,7 @@
 #include "Checkpoint/FlowFingerprint.h"
 #include "Common/AbortCheck.h"
 #include "Common/ArrayCheck.h"
+#include "Common/Error.h"
 #include "Common/NamedValue.h"
 #include "Fields/FieldInput.h"
 #include "Fields/FieldVectors.h"
@@ -300,8 +301,8 @@ int vtkImplicitFlowField::RequestUpdateExtent(
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* field = inputs[0]->GetInformationObject(0);
-  std::string reason;
-  const bool isInParts = this->IsInParts(inputs, outputs, reason) && !this->IsObstacleKnown();
+  interlume::Error error;
+  const bool isInParts = this->IsInParts(inputs, outputs, error) && !this->IsPartitionErrorKnown();
   // The pipeline splits the extent by the numbers of the piece.
   if (field->Has(Pipeline::WHOLE_EXTENT()))
   {
@@ -340,7 +341,7 @@ int vtkImplicitFlowField::RequestUpdateExtent(
 }
 
 bool vtkImplicitFlowField::IsInParts(
-  vtkInformationVector** inputs, vtkInformationVector* outputs, std::string& reason) const
+  vtkInformationVector** inputs, vtkInformationVector* outputs, interlume::Error& error) const
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   if (!this->Controller || this->Controller->GetNumberOfProcesses() < 2)
@@ -353,30 +354,30 @@ bool vtkImplicitFlowField::IsInParts(
   const auto isPlacedByVectors = [](const auto& surface) { return surface->IsPlacedByVectors(); };
   if (!interlume::RankExchange::IsPossible(this->Controller))
   {
-    reason = "VTK has no DIY for these processes";
+    error = "VTK has no DIY for these processes";
   }
   else if (output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) !=
       this->Controller->GetNumberOfProcesses() ||
     output->Get(Pipeline::UPDATE_PIECE_NUMBER()) != this->Controller->GetLocalProcessId())
   {
-    reason = "the pieces that are asked for are not those of the processes";
+    error = "the pieces that are asked for are not those of the processes";
   }
   else if (HasRows(data) &&
     !(field->Has(Pipeline::WHOLE_EXTENT()) &&
       interlume::FieldPart::HasCells(field->Get(Pipeline::WHOLE_EXTENT()))))
   {
-    reason = "it has no extent of three dimensions";
+    error = "it has no extent of three dimensions";
   }
   else if (this->CriticalPointSpheres || this->ShareStreamlines)
   {
-    reason = this->CriticalPointSpheres ? "critical points are looked for in it"
-                                        : "samples may share streamlines";
+    error = this->CriticalPointSpheres ? "critical points are looked for in it"
+                                       : "samples may share streamlines";
   }
   else if (std::any_of(this->Surfaces.begin(), this->Surfaces.end(), isPlacedByVectors))
   {
-    reason = "a termination surface is placed by its vectors";
+    error = "a termination surface is placed by its vectors";
   }
-  return reason.empty();
+  return !error;
 }
 
 struct vtkImplicitFlowField::Execution
@@ -399,9 +400,9 @@ struct vtkImplicitFlowField::Execution
   interlume::FieldInput Input;
   interlume::AdvectionOptions Options;
 
-  std::string Error;
-  /// The reason why each of several processes has the whole field.
-  std::string WholeReason;
+  interlume::Error Error;
+  /// The error for which each of several processes has the whole field.
+  interlume::Error PartitionError;
   /// Null unless processes hold parts of the field.
   std::unique_ptr<interlume::RankField> Ranks;
   /// The whole field, perhaps without arrays, and the data that this process has of it.
@@ -414,12 +415,12 @@ struct vtkImplicitFlowField::Execution
 
   vtkInformation* GetOutputInformation() const { return this->Outputs->GetInformationObject(0); }
   /// Returns the first process's error if any process has one.
-  std::string Unite(const std::string& error) const
+  interlume::Error Unite(const interlume::Error& error) const
   {
     return this->Ranks ? this->Ranks->GetExchange().FindFirst(error) : error;
   }
   /// Returns whether streamlines need the whole field, as is seen from its parts.
-  bool NeedsWhole() const { return this->Ranks && !this->Ranks->GetObstacle().empty(); }
+  bool NeedsWhole() const { return this->Ranks && this->Ranks->GetPartitionError(); }
   vtkIdType GetNumberOfPoints() const
   {
     return this->Ranks ? this->Ranks->GetNumberOfPoints() : this->Field->GetNumberOfPoints();
@@ -448,13 +449,13 @@ int vtkImplicitFlowField::RequestData(
 vtkImplicitFlowField::Outcome vtkImplicitFlowField::CheckInput(Execution& execution)
 {
   const bool isInParts =
-    this->IsInParts(execution.Inputs, execution.Outputs, execution.WholeReason);
-  if (isInParts && this->IsAskedForWhole(execution.Request, execution.WholeReason))
+    this->IsInParts(execution.Inputs, execution.Outputs, execution.PartitionError);
+  if (isInParts && this->IsAskedForWhole(execution.Request, execution.PartitionError))
   {
     return Outcome::EMPTY;
   }
   execution.Error = this->CheckBlocks(execution.Input);
-  if (isInParts && execution.WholeReason.empty())
+  if (isInParts && !execution.PartitionError)
   {
     vtkInformation* info = execution.Inputs[0]->GetInformationObject(0);
     execution.Ranks = std::make_unique<interlume::RankField>(this->Controller,
@@ -462,9 +463,9 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::CheckInput(Execution& execut
         ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
         : nullptr);
     execution.Error =
-      execution.Unite(execution.Input.HasFlatBlocks() ? std::string() : execution.Error);
+      execution.Unite(execution.Input.HasFlatBlocks() ? interlume::Error() : execution.Error);
   }
-  return execution.Error.empty() ? Outcome::COMPLETE : Outcome::FAILED;
+  return execution.Error ? Outcome::FAILED : Outcome::COMPLETE;
 }
 
 vtkImplicitFlowField::Outcome vtkImplicitFlowField::FindField(Execution& execution)
@@ -476,9 +477,9 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::FindField(Execution& executi
   {
     execution.Error = ranks->SetData(execution.Field, interlume::SampleGrid::MostPoints,
       interlume::FieldInput::IsComposite(vtkDataObject::GetData(execution.Inputs[0], 0)));
-    if (!execution.Error.empty() || execution.NeedsWhole())
+    if (execution.Error || execution.NeedsWhole())
     {
-      return execution.Error.empty() ? Outcome::NEEDS_WHOLE : Outcome::FAILED;
+      return execution.Error ? Outcome::FAILED : Outcome::NEEDS_WHOLE;
     }
     execution.Field = ranks->GetWhole();
     execution.Data = ranks->GetData();
@@ -515,19 +516,16 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::PrepareSamples(Execution& ex
       execution.Data, execution.Vectors, association, this->GetInputArrayInformation(0));
   }
   execution.Error = execution.Unite(execution.Error);
-  if (!execution.Error.empty())
+  if (execution.Error)
   {
     return Outcome::FAILED;
   }
-  execution.Error = this->SetSamples(execution);
-  if (execution.Error.empty())
-  {
-    execution.Error = this->PlaceSurfaces(execution);
-  }
+  execution.Error =
+    this->SetSamples(execution).Then([&] { return this->PlaceSurfaces(execution); });
   // Each process reports its own error.
-  const bool isWrong = !execution.Error.empty();
-  return (ranks ? ranks->GetExchange().IsAnywhere(isWrong) : isWrong) ? Outcome::FAILED
-                                                                      : Outcome::COMPLETE;
+  const bool hasError(execution.Error);
+  return (ranks ? ranks->GetExchange().IsAnywhere(hasError) : hasError) ? Outcome::FAILED
+                                                                        : Outcome::COMPLETE;
 }
 
 vtkImplicitFlowField::Outcome vtkImplicitFlowField::FollowSamples(Execution& execution)
@@ -557,7 +555,7 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::FollowSamples(Execution& exe
   {
     return Outcome::ABORTED;
   }
-  if (!execution.Error.empty())
+  if (execution.Error)
   {
     return Outcome::FAILED;
   }
@@ -570,14 +568,14 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::FollowSamples(Execution& exe
 
 int vtkImplicitFlowField::Finish(Execution& execution, Outcome outcome)
 {
-  if (outcome != Outcome::NEEDS_WHOLE && !execution.Error.empty())
+  if (outcome != Outcome::NEEDS_WHOLE && execution.Error)
   {
     vtkErrorMacro(<< execution.Error);
   }
   if (outcome == Outcome::NEEDS_WHOLE)
   {
     this->UsedSurfaces.clear();
-    this->AskForWhole(execution.Request, execution.Ranks->GetObstacle());
+    this->AskForWhole(execution.Request, execution.Ranks->GetPartitionError());
   }
   if (outcome != Outcome::COMPLETE)
   {
@@ -588,7 +586,7 @@ int vtkImplicitFlowField::Finish(Execution& execution, Outcome outcome)
   {
     execution.Checkpoint->Remove();
   }
-  execution.Report.WholeFieldReason = execution.WholeReason;
+  execution.Report.WholeFieldReason = execution.PartitionError.GetMessage();
   execution.Report.Executions = this->Report.Executions + 1;
   this->Report = execution.Report;
   execution.Output->GetPointData()->SetActiveScalars(vtkFlowStatus::TimeArray());
@@ -600,10 +598,10 @@ int vtkImplicitFlowField::Finish(Execution& execution, Outcome outcome)
   return 1;
 }
 
-bool vtkImplicitFlowField::IsObstacleKnown()
+bool vtkImplicitFlowField::IsPartitionErrorKnown()
 {
   return this->IsAskingAgain ||
-    (!this->Obstacle.empty() && this->ObstacleTime == this->GetInputTime());
+    (!this->PartitionError.empty() && this->PartitionErrorTime == this->GetInputTime());
 }
 
 vtkMTimeType vtkImplicitFlowField::GetInputTime()
@@ -612,31 +610,31 @@ vtkMTimeType vtkImplicitFlowField::GetInputTime()
   return executive ? executive->GetPipelineMTime() : 0;
 }
 
-bool vtkImplicitFlowField::IsAskedForWhole(vtkInformation* request, std::string& reason)
+bool vtkImplicitFlowField::IsAskedForWhole(vtkInformation* request, interlume::Error& error)
 {
   request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
   if (this->IsAskingAgain)
   {
     this->IsAskingAgain = false;
-    reason = this->Obstacle;
+    error = this->PartitionError;
     return false;
   }
-  // A process where the input has changed does not know of the obstacle any more.
-  const bool isKnown = this->IsObstacleKnown();
+  // A process whose input has changed does not have the error any more.
+  const bool isKnown = this->IsPartitionErrorKnown();
   interlume::RankExchange exchange(this->Controller);
-  reason = exchange.FindFirst(isKnown ? this->Obstacle : std::string());
-  if (!reason.empty() && !isKnown)
+  error = exchange.FindFirst(isKnown ? this->PartitionError : std::string());
+  if (error && !isKnown)
   {
-    this->AskForWhole(request, reason);
+    this->AskForWhole(request, error);
     return true;
   }
   return false;
 }
 
-void vtkImplicitFlowField::AskForWhole(vtkInformation* request, const std::string& obstacle)
+void vtkImplicitFlowField::AskForWhole(vtkInformation* request, const interlume::Error& error)
 {
-  this->Obstacle = obstacle;
-  this->ObstacleTime = this->GetInputTime();
+  this->PartitionError = error.GetMessage();
+  this->PartitionErrorTime = this->GetInputTime();
   this->IsAskingAgain = true;
   request->Set(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING(), 1);
 }
@@ -656,7 +654,7 @@ void vtkImplicitFlowField::OpenCheckpoint(Execution& execution)
     interlume::FlowFingerprint(
       execution.Options, execution.Data, execution.Vectors, execution.Samples),
     static_cast<int>(this->MeanArrays.size()),
-    [this](const std::string& error) { vtkWarningMacro(<< error); });
+    [this](const std::string& warning) { vtkWarningMacro(<< warning); });
   execution.Checkpoint->Open(execution.Ranks ? &execution.Ranks->GetExchange() : nullptr);
 }
 
@@ -708,23 +706,21 @@ void vtkImplicitFlowField::WarnIfNoneReached()
                              << ", or follow streamlines in the other direction.");
 }
 
-std::string vtkImplicitFlowField::CheckBlocks(const interlume::FieldInput& input)
+interlume::Error vtkImplicitFlowField::CheckBlocks(const interlume::FieldInput& input)
 {
   vtkDataArray* first = nullptr;
   for (const interlume::FieldInput::Block& block : input.GetBlocks())
   {
     int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
     vtkDataArray* vectors = this->GetInputArrayToProcess(0, block.Data, association);
-    std::string wrong = interlume::FieldVectors::Check(
-      block.Data, vectors, association, this->GetInputArrayInformation(0));
     first = first ? first : vectors;
-    if (wrong.empty())
+    const interlume::Error error =
+      interlume::FieldVectors::Check(
+        block.Data, vectors, association, this->GetInputArrayInformation(0))
+        .Then([&] { return interlume::FieldVectors::CompareNames(first, vectors); });
+    if (error)
     {
-      wrong = interlume::FieldVectors::CompareNames(first, vectors);
-    }
-    if (!wrong.empty())
-    {
-      return "Block " + std::to_string(block.FlatIndex) + " (flat index): " + wrong;
+      return error.Within("Block " + std::to_string(block.FlatIndex) + " (flat index): ");
     }
   }
   return {};
@@ -758,7 +754,7 @@ void vtkImplicitFlowField::SetImageSamples(Execution& execution)
   image->SetExtent(extent);
 }
 
-std::string vtkImplicitFlowField::SetSamples(Execution& execution)
+interlume::Error vtkImplicitFlowField::SetSamples(Execution& execution)
 {
   if (this->SampleMode == SAMPLES_OF_IMAGE)
   {
@@ -794,10 +790,9 @@ std::string vtkImplicitFlowField::SetSamples(Execution& execution)
     }
     samples = execution.Input.MakeSamples(points);
   }
-  const std::string error = interlume::ArrayCheck::FindLengthFault(samples);
-  if (!error.empty())
+  if (interlume::Error error = interlume::ArrayCheck::FindLengthError(samples))
   {
-    return interlume::ArrayCheck::MakeSentence("the samples cannot be used: " + error);
+    return interlume::ArrayCheck::MakeSentence(error.Within("the samples cannot be used: "));
   }
   execution.Samples->ShallowCopy(samples);
   if (!isPiece)
@@ -842,7 +837,7 @@ void vtkImplicitFlowField::GetExtent(vtkInformation* info, const int whole[6], i
   }
 }
 
-std::string vtkImplicitFlowField::PlaceSurfaces(Execution& execution)
+interlume::Error vtkImplicitFlowField::PlaceSurfaces(Execution& execution)
 {
   if (this->Surfaces.empty() && !this->DomainFaces && !this->CriticalPointSpheres)
   {
@@ -852,13 +847,13 @@ std::string vtkImplicitFlowField::PlaceSurfaces(Execution& execution)
   for (std::size_t i = 0; i < this->Surfaces.size(); ++i)
   {
     vtkTerminationSurface* surface = this->Surfaces[i];
-    std::string error =
+    interlume::Error error =
       surface->PlaceIn(execution.Field, execution.Vectors, this->Direction == BACKWARD);
-    error = error.empty() ? surface->Update() : error;
-    if (!error.empty())
+    error = error.Then([&] { return surface->Update(); });
+    if (error)
     {
-      return "Termination surface " + std::to_string(i) + " (" + surface->GetClassName() +
-        "): " + error;
+      return error.Within(
+        "Termination surface " + std::to_string(i) + " (" + surface->GetClassName() + "): ");
     }
   }
   // Automatic ids are those that are free, in the order of the surfaces.

@@ -19,6 +19,7 @@ class vtkTerminationSurface;
 
 namespace interlume
 {
+class Error;
 class FieldInput;
 class MeshLinks;
 struct AdvectionOptions;
@@ -456,24 +457,24 @@ private:
   vtkImplicitFlowField(const vtkImplicitFlowField&) = delete;
   void operator=(const vtkImplicitFlowField&) = delete;
 
-  /// Returns what is wrong with a block of composite input, or nothing.
-  std::string CheckBlocks(const interlume::FieldInput& input);
+  /// Returns an error if a block of composite input cannot be used.
+  interlume::Error CheckBlocks(const interlume::FieldInput& input);
   /// Makes a dataset of the type that samples have before they are refined.
   vtkSmartPointer<vtkDataSet> MakeSamples(vtkInformationVector** inputs) const;
-  /// Returns whether the field is to stay in parts that processes hold; where it is not although
-  /// there are several, \a reason says why.
+  /// Returns whether the field stays in parts that processes hold. Sets \a error if several
+  /// processes cannot hold parts.
   bool IsInParts(
-    vtkInformationVector** inputs, vtkInformationVector* outputs, std::string& reason) const;
+    vtkInformationVector** inputs, vtkInformationVector* outputs, interlume::Error& error) const;
   ///@{
-  /// What stands against parts may be seen from the parts alone. Then the pipeline asks for the
+  /// Only the parts may show that the field cannot be in parts. Then the pipeline requests the
   /// whole field and executes again (AskForWhole), and does so at once as long as the input is not
-  /// modified (IsObstacleKnown). IsAskedForWhole returns whether this process has to ask, as
-  /// another one has the whole; otherwise \a reason is why the whole field is there, or nothing.
-  /// Collective but for the second time.
-  bool IsObstacleKnown();
+  /// modified (IsPartitionErrorKnown). IsAskedForWhole returns whether this process has to request
+  /// the whole field since another process has it. Otherwise sets \a error if this process has the
+  /// whole field. Collective except for the second execution.
+  bool IsPartitionErrorKnown();
   vtkMTimeType GetInputTime();
-  bool IsAskedForWhole(vtkInformation* request, std::string& reason);
-  void AskForWhole(vtkInformation* request, const std::string& obstacle);
+  bool IsAskedForWhole(vtkInformation* request, interlume::Error& error);
+  void AskForWhole(vtkInformation* request, const interlume::Error& error);
   ///@}
   /// What an execution is given, and what its steps find. Defined where it is used.
   struct Execution;
@@ -496,9 +497,8 @@ private:
   Outcome FollowSamples(Execution& execution);
   int Finish(Execution& execution, Outcome outcome);
   ///@}
-  /// Gives the samples their geometry and point data. Returns an error message, or an empty string
-  /// on success.
-  std::string SetSamples(Execution& execution);
+  /// Gives the samples their geometry and point data. Returns an error if there are no samples.
+  interlume::Error SetSamples(Execution& execution);
   void SetImageSamples(Execution& execution);
   /// Cuts the whole field down to the piece that is asked for. \a whole is the whole extent, where
   /// \a output is not the whole.
@@ -506,8 +506,8 @@ private:
   /// Computes the part of a whole extent that is asked for; the piece's part where cells are
   /// refined.
   void GetExtent(vtkInformation* info, const int whole[6], int extent[6]) const;
-  /// Places the surfaces in the field. Returns an error message, or an empty string on success.
-  std::string PlaceSurfaces(Execution& execution);
+  /// Places the surfaces in the field. Returns an error if a surface cannot be used.
+  interlume::Error PlaceSurfaces(Execution& execution);
   /// Makes the checkpoint and reads its file, if there is one.
   void OpenCheckpoint(Execution& execution);
   /// Warns of fill values, of vectors that are not finite and of open interfaces. \a vectors is the
@@ -530,10 +530,10 @@ private:
   std::string CheckpointFileName;
   double CheckpointInterval = 60.0;
   vtkFlowReport Report;
-  /// Why the field could not be in parts, when the input was modified then, and whether the whole
-  /// is asked for after the parts.
-  std::string Obstacle;
-  vtkMTimeType ObstacleTime = 0;
+  /// Message of the error for which the field could not be in parts, the time when the input was
+  /// modified then, and whether the whole is requested after the parts.
+  std::string PartitionError;
+  vtkMTimeType PartitionErrorTime = 0;
   bool IsAskingAgain = false;
   /// What was found of the last field's mesh, for the next execution.
   std::shared_ptr<const interlume::MeshLinks> Mesh;

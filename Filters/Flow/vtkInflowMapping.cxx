@@ -3,6 +3,7 @@
 
 #include "Common/AbortCheck.h"
 #include "Common/Batches.h"
+#include "Common/Error.h"
 #include "Common/NamedValue.h"
 #include "Samples/BeyondSamples.h"
 #include "Samples/ImplicitFlowArrays.h"
@@ -185,30 +186,30 @@ const interlume::InflowFunction* vtkInflowMapping::Find(int id) const
   return found == this->Mappings.end() ? nullptr : found->second.get();
 }
 
-const std::string& vtkInflowMapping::Prepare()
+interlume::Error vtkInflowMapping::Prepare()
 {
   if (this->PreparedTime != this->GetMTime())
   {
     this->Evaluators.clear();
-    this->Problem.clear();
+    this->PreparedError.clear();
     for (const auto& mapping : this->Mappings)
     {
-      const std::string wrong = mapping.second->Prepare();
-      if (!wrong.empty() && this->Problem.empty())
+      const interlume::Error error = mapping.second->Prepare();
+      if (error && this->PreparedError.empty())
       {
-        this->Problem = "The mapping of " +
+        this->PreparedError = "The mapping of " +
           (mapping.first == ALL ? std::string("all ids") : "id " + std::to_string(mapping.first)) +
-          " is wrong. " + wrong;
+          " is wrong. " + error.GetMessage();
       }
     }
     this->PreparedTime = this->GetMTime();
   }
-  return this->Problem;
+  return this->PreparedError;
 }
 
 double vtkInflowMapping::Evaluate(int id, double u, double v, bool isPeriodicU, bool isPeriodicV)
 {
-  if (!this->Prepare().empty())
+  if (this->Prepare())
   {
     return NotANumber;
   }
@@ -264,11 +265,9 @@ int vtkInflowMapping::RequestData(
   output->Initialize();
   this->Report = vtkInflowMappingReport();
   interlume::ImplicitFlowArrays arrays;
-  std::string wrong = arrays.Find(input);
-  wrong = wrong.empty() ? this->Prepare() : wrong;
-  if (!wrong.empty())
+  if (const interlume::Error error = arrays.Find(input).Then([this] { return this->Prepare(); }))
   {
-    vtkErrorMacro(<< wrong);
+    vtkErrorMacro(<< error);
     return 1;
   }
   const vtkIdType number = input->GetNumberOfPoints();

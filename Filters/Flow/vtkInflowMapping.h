@@ -15,6 +15,7 @@ class vtkImageData;
 
 namespace interlume
 {
+class Error;
 class ImplicitFlowArrays;
 class InflowEvaluator;
 class InflowFunction;
@@ -129,13 +130,13 @@ private:
   /// Returns the mapping of an id itself, of \a kind, empty where it was of another kind; null for
   /// a wrong id.
   interlume::InflowFunction* Take(int id, int kind);
-  /// Reads what has changed. Returns what is wrong with the mappings, or nothing.
-  const std::string& Prepare();
+  /// Reads what has changed. Returns an error if a mapping cannot be used.
+  interlume::Error Prepare();
   /// Adds the field array of Inflow for samples beside surfaces, where there are such samples.
   void MapBeyond(const interlume::ImplicitFlowArrays& arrays, vtkDataSet* output);
 
   std::map<int, std::shared_ptr<interlume::InflowFunction>> Mappings;
-  std::string Problem;
+  std::string PreparedError;
   vtkMTimeType PreparedTime = 0;
   // The evaluators that Evaluate uses.
   std::map<const interlume::InflowFunction*, std::shared_ptr<interlume::InflowEvaluator>>

@@ -2,6 +2,7 @@
 #include "vtkStreamSurfaceParameters.h"
 
 #include "Common/Batches.h"
+#include "Common/Error.h"
 #include "Common/NamedValue.h"
 #include "Common/Vectors.h"
 #include "Fields/PointCopies.h"
@@ -178,7 +179,8 @@ vtkTerminationSurface* vtkStreamSurfaceParameters::FindSurface(int id, int& part
   return nullptr;
 }
 
-std::string vtkStreamSurfaceParameters::FindContours(interlume::StreamSurfaceTriangles& work) const
+interlume::Error vtkStreamSurfaceParameters::FindContours(
+  interlume::StreamSurfaceTriangles& work) const
 {
   // Levels of one id follow each other, so that its mapping is sampled once.
   std::vector<interlume::StreamSurfaceTriangles::Level*> order;
@@ -204,10 +206,10 @@ std::string vtkStreamSurfaceParameters::FindContours(interlume::StreamSurfaceTri
     if (!follower || id != level->Id)
     {
       id = level->Id;
-      const std::string problem = surface->Update();
-      if (!problem.empty())
+      if (const interlume::Error error = surface->Update())
       {
-        return "The termination surface with id " + std::to_string(id) + " is wrong: " + problem;
+        return error.Within(
+          "The termination surface with id " + std::to_string(id) + " is wrong: ");
       }
       const std::array<bool, 2> isPeriodic = work.GetArrays().GetPeriodicity(id);
       isJoined = { { this->Mapping->IsContinued(id, 0, isPeriodic[0], isPeriodic[1]),
@@ -255,11 +257,11 @@ int vtkStreamSurfaceParameters::RequestData(
   }
   this->SetProgressText("Following the contours of the inflow");
   interlume::StreamSurfaceTriangles work;
-  std::string wrong = this->Mapping ? work.Read(input) : "There is no mapping.";
-  wrong = wrong.empty() ? this->FindContours(work) : wrong;
-  if (!wrong.empty())
+  interlume::Error error = this->Mapping ? work.Read(input) : "There is no mapping.";
+  error = error.Then([&] { return this->FindContours(work); });
+  if (error)
   {
-    vtkErrorMacro(<< wrong);
+    vtkErrorMacro(<< error);
     return 1;
   }
   const auto findPlaces = [&](vtkIdType first, vtkIdType last)

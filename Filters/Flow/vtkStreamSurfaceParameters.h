@@ -8,7 +8,6 @@
 #include "vtkStreamSurfaceParametersReport.h" // for the report
 
 #include <array>
-#include <string>
 #include <vector>
 
 class vtkDataArray;
@@ -17,6 +16,7 @@ class vtkTerminationSurface;
 
 namespace interlume
 {
+class Error;
 class StreamSurfaceTriangles;
 }
 
@@ -141,8 +141,9 @@ private:
 
   /// Returns the surface that an id is a part of, and the part; null without a surface.
   vtkTerminationSurface* FindSurface(int id, int& part) const;
-  /// Follows the contours of all levels in use. Returns what is wrong, or nothing.
-  std::string FindContours(interlume::StreamSurfaceTriangles& work) const;
+  /// Follows the contours of all levels in use. Returns an error if a surface is missing or cannot
+  /// be used.
+  interlume::Error FindContours(interlume::StreamSurfaceTriangles& work) const;
   void FillTexture(const std::vector<double>& lengths, const std::vector<vtkIdType>& sources,
     vtkDataArray* times, vtkPolyData* output) const;
 

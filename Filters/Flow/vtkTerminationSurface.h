@@ -56,8 +56,8 @@ public:
   /**
    * Takes the place or the size that the surface leaves open from the field that streamlines are
    * followed in. vtkImplicitFlowField calls it before Update. \a vectors are the vectors at the
-   * points of \a field, \a isBackward says whether streamlines go against them. Returns what is
-   * wrong, or nothing. Default: nothing is open.
+   * points of \a field, \a isBackward says whether streamlines go against them. Returns an
+   * error message, or an empty string on success. Default: nothing is open.
    */
   virtual std::string PlaceIn(vtkDataSet* field, vtkDataArray* vectors, bool isBackward);
 
@@ -67,8 +67,8 @@ public:
   virtual bool IsPlacedByVectors() const { return false; }
 
   /**
-   * Prepares the data that the Evaluate functions need. Returns what is wrong with the surface
-   * ("the radius is not above 0"), or nothing.
+   * Prepares the data that the Evaluate functions need. Returns an error message ("the radius is
+   * not above 0"), or an empty string on success.
    */
   virtual std::string Update() { return {}; }
 

@@ -2,6 +2,7 @@
 #include "vtkTerminationSurfaceSource.h"
 
 #include "Common/AbortCheck.h"
+#include "Common/Error.h"
 #include "Common/NamedValue.h"
 #include "Termination/TerminationGrid.h"
 
@@ -54,11 +55,10 @@ int vtkTerminationSurfaceSource::RequestData(
 {
   this->Report = {};
   vtkTerminationSurfaceSourceReport report;
-  const std::string wrong =
-    this->Surface ? this->Surface->Update() : std::string("there is none; call SetSurface");
-  if (!wrong.empty())
+  if (const interlume::Error error =
+        this->Surface ? this->Surface->Update() : "there is none; call SetSurface")
   {
-    vtkErrorMacro("The termination surface cannot be drawn: " << wrong << ".");
+    vtkErrorMacro("The termination surface cannot be drawn: " << error << ".");
     return 1;
   }
   vtkNew<vtkPoints> points;

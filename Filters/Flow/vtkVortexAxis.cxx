@@ -2,6 +2,7 @@
 #include "vtkVortexAxis.h"
 
 #include "Common/AbortCheck.h"
+#include "Common/Error.h"
 #include "Common/NamedValue.h"
 #include "Fields/FieldVectors.h"
 #include "Samples/OutputPiece.h"
@@ -172,7 +173,7 @@ void Write(const std::vector<const Vortex*>& axis, vtkPolyData* output)
   output->GetPointData()->AddArray(velocities);
 }
 
-std::string CheckVector(const char* name, const double v[3], bool isDirection)
+interlume::Error CheckVector(const char* name, const double v[3], bool isDirection)
 {
   const bool isFinite = std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
   const bool isZero = v[0] == 0.0 && v[1] == 0.0 && v[2] == 0.0;
@@ -218,16 +219,17 @@ int vtkVortexAxis::RequestData(
   }
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* vectors = this->GetInputArrayToProcess(0, inputs, association);
-  std::string wrong = CheckVector("Axis", this->Axis, true);
-  wrong = wrong.empty() ? CheckVector("Seed", this->Seed, false) : wrong;
-  wrong = wrong.empty() ? CheckVector("FrameVelocity", this->FrameVelocity, false) : wrong;
-  wrong = wrong.empty()
-    ? interlume::FieldVectors::Check(input, vectors, association, this->GetInputArrayInformation(0))
-    : wrong;
-  if (!wrong.empty())
+  for (const interlume::Error& error :
+    { CheckVector("Axis", this->Axis, true), CheckVector("Seed", this->Seed, false),
+      CheckVector("FrameVelocity", this->FrameVelocity, false),
+      interlume::FieldVectors::Check(
+        input, vectors, association, this->GetInputArrayInformation(0)) })
   {
-    vtkErrorMacro(<< wrong);
-    return 1;
+    if (error)
+    {
+      vtkErrorMacro(<< error);
+      return 1;
+    }
   }
   this->SetProgressText("Searching planes for the vortex");
   interlume::CrossFlow flow(this->Axis, this->FrameVelocity);

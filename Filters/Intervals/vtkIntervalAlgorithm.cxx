@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIntervalAlgorithm.h"
 
+#include "Common/Error.h"
 #include "Pass/GhostCells.h"
 #include "Static/DataSetLeaves.h"
 
@@ -23,10 +24,9 @@ void vtkIntervalAlgorithm::SetNumberOfIntervals(int number)
 
 void vtkIntervalAlgorithm::SetInterval(int i, double lower, double upper)
 {
-  const std::string wrong = this->Intervals.Set(i, lower, upper, this);
-  if (!wrong.empty())
+  if (const interlume::Error error = this->Intervals.Set(i, lower, upper, this))
   {
-    vtkErrorMacro(<< wrong);
+    vtkErrorMacro(<< error);
   }
 }
 

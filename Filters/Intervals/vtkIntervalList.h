@@ -6,7 +6,7 @@
 #include "vtkIndent.h"                // for printing
 
 #include <array>  // for an interval
-#include <string> // for what is wrong
+#include <string> // for error messages
 #include <vector> // for the list
 
 class vtkObject;
@@ -27,8 +27,8 @@ public:
   /// Sets the number of intervals, clamped to 0 ... MaximumNumber; new intervals are [0, 0]. Marks
   /// \a owner as modified when this changes anything.
   void SetNumber(int number, vtkObject* owner);
-  /// Sets interval i, adding intervals where there are fewer than i + 1. Returns what is wrong
-  /// where i is out of range, or nothing.
+  /// Sets interval i, adding intervals where there are fewer than i + 1. Returns an error
+  /// message if i is out of range, otherwise an empty string.
   std::string Set(int i, double lower, double upper, vtkObject* owner);
   /// Returns the bounds of interval i; leaves its arguments as they are where there is none.
   void Get(int i, double& lower, double& upper) const;

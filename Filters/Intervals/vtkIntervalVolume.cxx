@@ -56,17 +56,17 @@ void vtkIntervalVolume::AddCriterion(const char* arrayName, double lower, double
 void vtkIntervalVolume::AddCriterionAsText(
   const char* arrayName, const char* lower, const char* upper)
 {
-  std::string wrong;
+  std::string invalid;
   for (const char* text : { lower, upper })
   {
-    if (wrong.empty() && (!text || std::isnan(ReadNumber(text))))
+    if (invalid.empty() && (!text || std::isnan(ReadNumber(text))))
     {
-      wrong = text && *text ? std::string("\"") + text + "\"" : "nothing";
+      invalid = text && *text ? std::string("\"") + text + "\"" : "nothing";
     }
   }
   this->AddCriterion(
     arrayName, lower ? ReadNumber(lower) : std::nan(""), upper ? ReadNumber(upper) : std::nan(""));
-  this->Criteria.back().WrongText = wrong;
+  this->Criteria.back().InvalidBound = invalid;
 }
 
 void vtkIntervalVolume::RemoveAllCriteria()
@@ -92,35 +92,25 @@ void vtkIntervalVolume::GetCriterionRange(int i, double& lower, double& upper) c
   }
 }
 
-std::string vtkIntervalVolume::CheckParameters(vtkDataSet* input) const
+interlume::Error vtkIntervalVolume::CheckParameters(vtkDataSet* input) const
 {
-  std::string wrongInterval = interlume::ExtractionInput::CheckIntervals(this->GetIntervals());
-  if (!wrongInterval.empty())
+  interlume::Error error = interlume::ExtractionInput::CheckIntervals(this->GetIntervals());
+  for (std::size_t i = 0; !error && i < this->Criteria.size(); ++i)
   {
-    return wrongInterval;
-  }
-  for (const Criterion& criterion : this->Criteria)
-  {
-    std::string wrong = interlume::ExtractionInput::CheckScalars(input,
+    const Criterion& criterion = this->Criteria[i];
+    const std::string name = "The criterion on \"" + criterion.ArrayName + "\"";
+    error = interlume::ExtractionInput::CheckScalars(input,
       input->GetPointData()->GetAbstractArray(criterion.ArrayName.c_str()),
       vtkDataObject::FIELD_ASSOCIATION_POINTS,
       "point array \"" + criterion.ArrayName + "\" of a criterion");
-    if (wrong.empty() && !criterion.WrongText.empty())
+    if (!error && !criterion.InvalidBound.empty())
     {
-      wrong = "The criterion on \"" + criterion.ArrayName + "\" has " + criterion.WrongText +
-        " for a bound, which is no number.";
+      error = name + " has " + criterion.InvalidBound + " for a bound, which is no number.";
     }
-    if (wrong.empty())
-    {
-      wrong = interlume::IntervalCheck::Find(
-        "The criterion on \"" + criterion.ArrayName + "\"", criterion.Lower, criterion.Upper);
-    }
-    if (!wrong.empty())
-    {
-      return wrong;
-    }
+    error = error.Then(
+      [&] { return interlume::IntervalCheck::FindError(name, criterion.Lower, criterion.Upper); });
   }
-  return std::string();
+  return error;
 }
 
 int vtkIntervalVolume::RequestData(

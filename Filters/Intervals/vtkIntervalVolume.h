@@ -16,6 +16,7 @@ class vtkDataSet;
 
 namespace interlume
 {
+class Error;
 class ExtractionIndex;
 class ExtractionRun;
 class KeptMemory;
@@ -229,12 +230,12 @@ private:
     std::string ArrayName;
     double Lower;
     double Upper;
-    /// The bounds as they were typed, where one of them is not a number.
-    std::string WrongText;
+    /// A bound that is not a number, as it was typed.
+    std::string InvalidBound;
   };
 
-  /// Returns why the intervals or criteria cannot be used, or nothing.
-  std::string CheckParameters(vtkDataSet* input) const;
+  /// Returns an error if the intervals or criteria cannot be used.
+  interlume::Error CheckParameters(vtkDataSet* input) const;
   /// Extracts from one dataset.
   void ExtractFrom(vtkDataSet* input, interlume::ExtractionRun& run, vtkUnstructuredGrid* output,
     vtkUnstructuredGrid* boundary);

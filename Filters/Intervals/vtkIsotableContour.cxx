@@ -118,12 +118,12 @@ int vtkIsotableContour::RequestData(
   return 1;
 }
 
-std::string vtkIsotableContour::CheckValues() const
+interlume::Error vtkIsotableContour::CheckValues() const
 {
-  std::string error;
-  for (std::size_t i = 0; error.empty() && i < this->Values.size(); ++i)
+  interlume::Error error;
+  for (std::size_t i = 0; !error && i < this->Values.size(); ++i)
   {
-    error = interlume::IntervalCheck::Find(
+    error = interlume::IntervalCheck::FindError(
       "Value " + std::to_string(i), this->Values[i], this->Values[i]);
   }
   return error;

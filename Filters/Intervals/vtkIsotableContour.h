@@ -7,13 +7,13 @@
 #include "vtkSmartPointer.h"          // for the value index
 #include "vtkUnstructuredGridAlgorithm.h"
 
-#include <string> // for messages
 #include <vector> // for the values
 
 class vtkDataSet;
 
 namespace interlume
 {
+class Error;
 class ExtractionIndex;
 class ExtractionRun;
 }
@@ -148,8 +148,8 @@ private:
   vtkIsotableContour(const vtkIsotableContour&) = delete;
   void operator=(const vtkIsotableContour&) = delete;
 
-  /// Returns an error message if a value is invalid, otherwise an empty string.
-  std::string CheckValues() const;
+  /// Returns an error if a value is invalid.
+  interlume::Error CheckValues() const;
   /// Extracts from one dataset.
   void ExtractFrom(vtkDataSet* input, interlume::ExtractionRun& run, vtkUnstructuredGrid* output);
 

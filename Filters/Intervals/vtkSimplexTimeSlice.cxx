@@ -161,12 +161,12 @@ int vtkSimplexTimeSlice::RequestData(
   return 1;
 }
 
-std::string vtkSimplexTimeSlice::CheckTimes(vtkUnstructuredGrid* input) const
+interlume::Error vtkSimplexTimeSlice::CheckTimes(vtkUnstructuredGrid* input) const
 {
-  const std::string error = interlume::ExtractionInput::CheckScalars(input,
+  interlume::Error error = interlume::ExtractionInput::CheckScalars(input,
     input->GetPointData()->GetAbstractArray(TimeName), vtkDataObject::FIELD_ASSOCIATION_POINTS,
     "point array \"Time\"");
-  if (!error.empty() || std::isfinite(this->Report.Time))
+  if (error || std::isfinite(this->Report.Time))
   {
     return error;
   }
@@ -184,10 +184,9 @@ void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
     return;
   }
   this->Report.Simplices += dataset->GetNumberOfCells();
-  const std::string error = input ? this->CheckTimes(input)
-                                  : std::string("A dataset of the input is a ") +
-      dataset->GetClassName() + "; 4-simplices are the cells of a vtkUnstructuredGrid.";
-  if (!error.empty())
+  if (const interlume::Error error = input ? this->CheckTimes(input)
+                                           : std::string("A dataset of the input is a ") +
+        dataset->GetClassName() + "; 4-simplices are the cells of a vtkUnstructuredGrid.")
   {
     vtkErrorMacro(<< error);
     empty.NoteMessage();
@@ -216,13 +215,13 @@ void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
   {
     return;
   }
-  if (slice.WrongCell >= 0)
+  if (slice.InvalidCell >= 0)
   {
     vtkErrorMacro(
-      "Cell " << slice.WrongCell
+      "Cell " << slice.InvalidCell
               << " is no 4-simplex, which is a VTK_POLY_VERTEX of five points: it has type "
-              << input->GetCellType(slice.WrongCell) << " and "
-              << input->GetCells()->GetCellSize(slice.WrongCell) << " points.");
+              << input->GetCellType(slice.InvalidCell) << " and "
+              << input->GetCells()->GetCellSize(slice.InvalidCell) << " points.");
     empty.NoteMessage();
     return;
   }

@@ -13,6 +13,7 @@ class vtkDataSet;
 namespace interlume
 {
 class EmptyResult;
+class Error;
 }
 
 /**
@@ -118,9 +119,8 @@ protected:
   /// Slices one dataset. \a request may have the time requested of the output; null for none.
   void Slice(vtkDataSet* dataset, vtkInformation* request, vtkUnstructuredGrid* output,
     interlume::EmptyResult& empty);
-  /// Returns an error message if the array of times or the time of the slice is invalid, otherwise
-  /// an empty string.
-  std::string CheckTimes(vtkUnstructuredGrid* input) const;
+  /// Returns an error if the array of times or the time of the slice is invalid.
+  interlume::Error CheckTimes(vtkUnstructuredGrid* input) const;
   /// Returns why there is no output.
   std::string ExplainEmpty() const;
 

@@ -2,6 +2,7 @@
 #include "vtkTimeSlabWriter.h"
 
 #include "Common/DataDigest.h"
+#include "Common/Error.h"
 #include "Common/Fingerprint.h"
 #include "Common/WholeFiles.h"
 
@@ -141,10 +142,9 @@ bool vtkTimeSlabWriter::Write()
   }
   this->UpdateInformation();
   const std::vector<double> times = this->GetTimesTaken();
-  const std::string wrong = this->CheckTimes(times);
-  if (!wrong.empty())
+  if (const Error error = this->CheckTimes(times))
   {
-    vtkErrorMacro(<< wrong);
+    vtkErrorMacro(<< error);
     return false;
   }
   // What is set for each slab is taken back in the end.
@@ -157,7 +157,7 @@ bool vtkTimeSlabWriter::Write()
     kinds.push_back(this->GetGenerateBoundary(kind));
   }
   this->SetWarnOnEmptyOutput(false);
-  const std::string problem = this->WriteSlabs(times, kinds);
+  const Error error = this->WriteSlabs(times, kinds);
   this->SetWarnOnEmptyOutput(warns);
   this->SetTimeStepRange(range);
   for (int kind = 0; kind < NUMBER_OF_BOUNDARY_KINDS; ++kind)
@@ -165,14 +165,14 @@ bool vtkTimeSlabWriter::Write()
     this->SetGenerateBoundary(kind, kinds[static_cast<std::size_t>(kind)]);
   }
   this->StepDigests.clear();
-  if (!problem.empty())
+  if (error)
   {
-    vtkErrorMacro(<< problem);
+    vtkErrorMacro(<< error);
   }
-  return problem.empty() && !this->GetAbortExecute();
+  return !error && !this->GetAbortExecute();
 }
 
-std::string vtkTimeSlabWriter::WriteSlabs(
+Error vtkTimeSlabWriter::WriteSlabs(
   const std::vector<double>& times, const std::vector<bool>& kinds)
 {
   const std::vector<Port> ports = this->GetPorts(kinds);
@@ -198,10 +198,9 @@ std::string vtkTimeSlabWriter::WriteSlabs(
     }
     refused += different.empty() ? 0 : 1;
     firstDifference = firstDifference.empty() ? different : firstDifference;
-    const std::string wrong = this->WriteSlab(ports, slab, own);
-    if (!wrong.empty())
+    if (Error error = this->WriteSlab(ports, slab, own))
     {
-      return wrong;
+      return error;
     }
   }
   if (refused > 0)
@@ -213,7 +212,8 @@ std::string vtkTimeSlabWriter::WriteSlabs(
   {
     if (!this->GetAbortExecute() && !this->WriteIndex(port, times))
     {
-      return "The file " + this->GetIndexName(port) + " could not be written.";
+      return Error(
+        "The file " + this->GetIndexName(port) + " could not be written.", ErrorCode::File);
     }
   }
   return {};
@@ -322,7 +322,7 @@ bool vtkTimeSlabWriter::IsWritten(
   return !ports.empty();
 }
 
-std::string vtkTimeSlabWriter::WriteSlab(
+Error vtkTimeSlabWriter::WriteSlab(
   const std::vector<Port>& ports, std::size_t slab, const double* times)
 {
   this->StepDigests.clear();
@@ -339,7 +339,7 @@ std::string vtkTimeSlabWriter::WriteSlab(
   }
   Fingerprint fingerprint = this->MakeFingerprint(slab, times);
   this->AddSteps(fingerprint, times);
-  std::string wrong;
+  Error error;
   for (const Port& port : ports)
   {
     auto* output = vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(port.Number));
@@ -354,15 +354,15 @@ std::string vtkTimeSlabWriter::WriteSlab(
     writer->SetInputData(output);
     if (!WholeFiles::Write(writer, name))
     {
-      wrong = "The file " + name + " could not be written.";
+      error = Error("The file " + name + " could not be written.", ErrorCode::File);
     }
   }
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
     this->GetOutputDataObject(port)->ReleaseData();
   }
-  this->WrittenSlabs += wrong.empty() ? 1 : 0;
-  return wrong;
+  this->WrittenSlabs += error ? 0 : 1;
+  return error;
 }
 
 std::string vtkTimeSlabWriter::GetIndexName(const Port& port) const

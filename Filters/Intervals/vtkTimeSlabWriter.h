@@ -11,6 +11,7 @@
 
 namespace interlume
 {
+class Error;
 class Fingerprint;
 }
 
@@ -93,9 +94,8 @@ private:
   /// Returns the name of the file of a slab, in the folder of the index or as the index has it.
   std::string GetSlabName(const Port& port, std::size_t slab, bool isInIndex) const;
   std::string GetIndexName(const Port& port) const;
-  /// Extracts and writes the slabs, but for those that are there. Returns what is wrong, or
-  /// nothing.
-  std::string WriteSlabs(const std::vector<double>& times, const std::vector<bool>& kinds);
+  /// Extracts and writes the slabs, but for those that are there.
+  interlume::Error WriteSlabs(const std::vector<double>& times, const std::vector<bool>& kinds);
   /// Sets the step range and the kinds of boundaries for a slab.
   void SetSlab(std::size_t slab, std::size_t last, int firstStep, const std::vector<bool>& kinds);
   /// Returns what the files of a slab depend on, but for the input.
@@ -105,7 +105,7 @@ private:
   /// where they are there and are not.
   bool IsWritten(
     const std::vector<Port>& ports, std::size_t slab, const double* times, std::string& different);
-  std::string WriteSlab(const std::vector<Port>& ports, std::size_t slab, const double* times);
+  interlume::Error WriteSlab(const std::vector<Port>& ports, std::size_t slab, const double* times);
   bool WriteIndex(const Port& port, const std::vector<double>& times) const;
   /// Reads a time step for its digest, if that is not known.
   void FindDigest(double time);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTimeVaryingIntervalVolume.h"
 
+#include "Common/Error.h"
 #include "Output/ProcessBalance.h"
 #include "Static/EmptyResult.h"
 #include "Static/ExtractionInput.h"
@@ -85,7 +86,7 @@ int vtkTimeVaryingIntervalVolume::RequestInformation(
   return 1;
 }
 
-std::string vtkTimeVaryingIntervalVolume::CheckTimes(const std::vector<double>& times) const
+interlume::Error vtkTimeVaryingIntervalVolume::CheckTimes(const std::vector<double>& times) const
 {
   std::ostringstream what;
   if (times.size() < 2)
@@ -110,16 +111,16 @@ std::string vtkTimeVaryingIntervalVolume::CheckTimes(const std::vector<double>& 
       return what.str();
     }
   }
-  return std::string();
+  return {};
 }
 
-std::string vtkTimeVaryingIntervalVolume::CheckDirection() const
+interlume::Error vtkTimeVaryingIntervalVolume::CheckDirection() const
 {
   const double* d = this->ProjectionDirection;
   const bool isFinite = std::all_of(d, d + 4, [](double value) { return std::isfinite(value); });
   if (isFinite && std::any_of(d, d + 4, [](double value) { return value != 0.0; }))
   {
-    return std::string();
+    return {};
   }
   std::ostringstream what;
   what << "The direction of projection (" << d[0] << ", " << d[1] << ", " << d[2] << ", " << d[3]
@@ -159,12 +160,12 @@ bool vtkTimeVaryingIntervalVolume::Begin(bool copiesSteps)
 {
   this->Report = vtkTimeVaryingReport();
   const std::vector<double> times = this->GetTimesTaken();
-  for (const std::string& wrong : { this->CheckTimes(times), this->CheckDirection(),
+  for (const interlume::Error& error : { this->CheckTimes(times), this->CheckDirection(),
          interlume::ExtractionInput::CheckIntervals(this->GetIntervals()) })
   {
-    if (!wrong.empty())
+    if (error)
     {
-      vtkErrorMacro(<< wrong);
+      vtkErrorMacro(<< error);
       return false;
     }
   }
@@ -211,7 +212,7 @@ void vtkTimeVaryingIntervalVolume::TakeStep(
     return;
   }
   interlume::TimeVaryingRun::Results result;
-  const std::string wrong = this->Run->AddStep(input, result);
+  const interlume::Error error = this->Run->AddStep(input, result);
   if (result == interlume::TimeVaryingRun::OVERWRITTEN)
   {
     // The values of the step before are lost: its time is asked for again.
@@ -228,9 +229,9 @@ void vtkTimeVaryingIntervalVolume::TakeStep(
   request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
   const std::unique_ptr<interlume::TimeVaryingRun> run = std::move(this->Run);
   this->IsRestarted = false;
-  if (!wrong.empty())
+  if (error)
   {
-    vtkErrorMacro(<< wrong);
+    vtkErrorMacro(<< error);
   }
   else if (result == interlume::TimeVaryingRun::DONE && run->IsFinished())
   {

@@ -13,6 +13,7 @@
 
 namespace interlume
 {
+class Error;
 class TimeVaryingRun;
 }
 
@@ -199,9 +200,9 @@ protected:
   /// Takes one time step, asks for the next, or fills the outputs.
   void TakeStep(vtkInformation*, vtkInformationVector**, vtkInformationVector*);
 
-  /// Returns why times cannot be used, or nothing.
-  std::string CheckTimes(const std::vector<double>& times) const;
-  std::string CheckDirection() const;
+  /// Returns an error if times cannot be used.
+  interlume::Error CheckTimes(const std::vector<double>& times) const;
+  interlume::Error CheckDirection() const;
   int GetFirstStep() const;
   /// Returns the times of the steps in the range.
   std::vector<double> GetTimesTaken() const;

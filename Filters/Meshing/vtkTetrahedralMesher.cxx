@@ -2,6 +2,7 @@
 #include "vtkTetrahedralMesher.h"
 
 #include "Common/ArrayCheck.h"
+#include "Common/Error.h"
 #include "Common/GridCheck.h"
 #include "Common/NamedValue.h"
 #include "Interpolation/MeshedArrays.h"
@@ -101,11 +102,11 @@ int vtkTetrahedralMesher::RequestData(
     this->UpdateProgress(progress);
     return this->GetAbortExecute() != 0;
   };
-  std::string wrong;
+  interlume::Error error;
   try
   {
-    wrong = this->Mesh(job);
-    if (wrong.empty() && !job.IsCancelled())
+    error = this->Mesh(job);
+    if (!error && !job.IsCancelled())
     {
       this->TakeOutput(job, output);
     }
@@ -113,25 +114,25 @@ int vtkTetrahedralMesher::RequestData(
   catch (const std::bad_alloc&)
   {
     output->Initialize();
-    wrong = "There is not enough memory for the mesh.";
+    error = interlume::Error(
+      "There is not enough memory for the mesh.", interlume::ErrorCode::OutOfMemory);
   }
-  if (!wrong.empty())
+  if (error)
   {
-    vtkErrorMacro(<< wrong);
+    vtkErrorMacro(<< error);
   }
   this->Report = job.Report;
-  this->IsEmpty = this->IsEmpty && wrong.empty() && output->GetNumberOfCells() == 0;
+  this->IsEmpty = this->IsEmpty && !error && output->GetNumberOfCells() == 0;
   this->Warn();
   return 1;
 }
 
-std::string vtkTetrahedralMesher::Mesh(interlume::MeshingJob& job)
+interlume::Error vtkTetrahedralMesher::Mesh(interlume::MeshingJob& job)
 {
-  const std::string wrong =
-    interlume::ArrayCheck::MakeSentence(interlume::GridCheck::Find(job.Input));
-  if (!wrong.empty())
+  if (interlume::Error error =
+        interlume::ArrayCheck::MakeSentence(interlume::GridCheck::FindError(job.Input)))
   {
-    return wrong;
+    return error;
   }
   int dimension = 0;
   const vtkIdType cells = job.Input->GetNumberOfCells();

@@ -11,6 +11,7 @@
 
 namespace interlume
 {
+class Error;
 struct MeshingJob;
 }
 
@@ -202,7 +203,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /// Runs the mesher that the input asks for.
-  std::string Mesh(interlume::MeshingJob& job);
+  interlume::Error Mesh(interlume::MeshingJob& job);
   /// Turns the mesh of \a job into \a output.
   void TakeOutput(interlume::MeshingJob& job, vtkUnstructuredGrid* output);
   void Warn();

@@ -76,9 +76,8 @@ interlume::FieldSampler::Field vtkAnalyticFieldSource::GetFieldAtTime(double t) 
 
 void vtkAnalyticFieldSource::SetTimeRange(double first, double last)
 {
-  const std::string error =
-    interlume::FieldSampler::SetTimeRange(this->TimeRange, first, last, this);
-  if (!error.empty())
+  if (const interlume::Error error =
+        interlume::FieldSampler::SetTimeRange(this->TimeRange, first, last, this))
   {
     vtkErrorMacro(<< error);
   }
@@ -116,8 +115,7 @@ int vtkAnalyticFieldSource::RequestData(
   const interlume::FieldSampler sampler = this->GetSampler();
   double time = 0.0;
   this->SetReport({});
-  const std::string error = sampler.FindTime(info, time);
-  if (!error.empty())
+  if (const interlume::Error error = sampler.FindTime(info, time))
   {
     vtkErrorMacro(<< error);
     return 1;

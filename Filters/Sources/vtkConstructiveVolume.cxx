@@ -2,6 +2,7 @@
 #include "vtkConstructiveVolume.h"
 
 #include "Common/Batches.h"
+#include "Common/Error.h"
 #include "Sampling/ExtentRows.h"
 #include "Sampling/PartPrinter.h"
 #include "Sampling/SpatialSampler.h"
@@ -247,11 +248,10 @@ int vtkConstructiveVolume::RequestData(
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkImageData* image = vtkImageData::GetData(info);
   this->SetReport({});
-  const std::string problem =
-    this->Root ? this->Root->Update() : std::string("There is no root to sample.");
-  if (!problem.empty())
+  if (const interlume::Error error =
+        this->Root ? this->Root->Update() : "There is no root to sample.")
   {
-    vtkErrorMacro(<< problem);
+    vtkErrorMacro(<< error);
     image->Initialize();
     return 1;
   }

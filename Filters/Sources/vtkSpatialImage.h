@@ -9,6 +9,11 @@
 
 class vtkImageData;
 
+namespace interlume
+{
+class Error;
+}
+
 /**
  * @class   vtkSpatialImage
  * @brief   an image's point scalars as a spatial object
@@ -67,8 +72,8 @@ private:
   vtkSpatialImage(const vtkSpatialImage&) = delete;
   void operator=(const vtkSpatialImage&) = delete;
 
-  std::string CopyValues();
-  std::string CopyColors();
+  interlume::Error CopyValues();
+  interlume::Error CopyColors();
   /// Finds the cell's corners with their weights. Returns false outside the image.
   bool Locate(const double x[3], vtkIdType corners[8], double weights[8]) const;
 

@@ -6,7 +6,7 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // for the transform
 
-#include <string> // for what is wrong
+#include <string> // for error messages
 
 class vtkLinearTransform;
 
@@ -69,8 +69,8 @@ public:
   bool GetBounds(double bounds[6]);
 
   /**
-   * Makes the object and all it consists of ready for EvaluateSpan. Returns what is wrong, or
-   * nothing.
+   * Makes the object and all it consists of ready for EvaluateSpan. Returns an error
+   * message, or an empty string on success.
    */
   std::string Update();
 
@@ -91,6 +91,7 @@ protected:
   ~vtkSpatialObject() override;
 
   /// Does what Update does for a derived class, and computes its bounds in its own coordinates.
+  /// Returns an error message, or an empty string on success.
   virtual std::string Prepare(double bounds[6]) = 0;
 
   /// Does what EvaluateSpan does for a derived class, at points of its own coordinates.

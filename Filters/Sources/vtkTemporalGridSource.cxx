@@ -44,9 +44,8 @@ void vtkTemporalGridSource::SetDimensions(int i, int j, int k)
 
 void vtkTemporalGridSource::SetTimeRange(double first, double last)
 {
-  const std::string error =
-    interlume::FieldSampler::SetTimeRange(this->TimeRange, first, last, this);
-  if (!error.empty())
+  if (const interlume::Error error =
+        interlume::FieldSampler::SetTimeRange(this->TimeRange, first, last, this))
   {
     vtkErrorMacro(<< error);
   }
@@ -85,8 +84,7 @@ int vtkTemporalGridSource::RequestData(
   const interlume::FieldSampler sampler = this->GetSampler();
   double time = 0.0;
   this->Report = {};
-  const std::string error = sampler.FindTime(info, time);
-  if (!error.empty())
+  if (const interlume::Error error = sampler.FindTime(info, time))
   {
     vtkErrorMacro(<< error);
     return 1;

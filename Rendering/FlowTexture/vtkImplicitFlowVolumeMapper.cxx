@@ -28,7 +28,7 @@ int vtkImplicitFlowVolumeMapper::FillInputPortInformation(int port, vtkInformati
   {
     return 0;
   }
-  // Render says what is wrong with other grids, and what to do about it.
+  // Render reports an error for other grids, and what to do about it.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   return 1;
 }
@@ -132,7 +132,7 @@ vtkMTimeType vtkImplicitFlowVolumeMapper::GetMTime()
   return time;
 }
 
-std::string vtkImplicitFlowVolumeMapper::Draw(vtkRenderer* renderer, vtkVolume* volume)
+interlume::Error vtkImplicitFlowVolumeMapper::Draw(vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkDataSet* input = this->GetInput();
   if (this->BlendMode != COMPOSITE_BLEND)
@@ -168,17 +168,16 @@ void vtkImplicitFlowVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volum
   {
     return;
   }
-  const std::string error = this->Draw(renderer, volume);
+  const interlume::Error error = this->Draw(renderer, volume);
   this->TimeToDraw = this->RenderReport.Seconds;
   const vtkMTimeType state = std::max(input->GetMTime(), this->GetMTime());
-  if (!error.empty() && (state != this->ErrorTime || error != this->ErrorText))
+  if (error && (state != this->ErrorTime || error.GetMessage() != this->ErrorText))
   {
     vtkErrorMacro(<< error);
     this->ErrorTime = state;
-    this->ErrorText = error;
+    this->ErrorText = error.GetMessage();
   }
-  if (error.empty() && this->RenderReport.NonFiniteSamples > 0 &&
-    input->GetMTime() != this->WarningTime)
+  if (!error && this->RenderReport.NonFiniteSamples > 0 && input->GetMTime() != this->WarningTime)
   {
     vtkWarningMacro(<< this->RenderReport.NonFiniteSamples
                     << " samples have places, times or values that are not finite");

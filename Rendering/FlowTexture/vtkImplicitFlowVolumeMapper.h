@@ -11,10 +11,11 @@
 
 #include <map>    // for textures by id
 #include <memory> // for what is kept from picture to picture
-#include <string> // for errors
+#include <string> // for array names
 
 namespace interlume
 {
+class Error;
 class PeelingDeferral;
 class FlowVolumeRenderer;
 }
@@ -314,7 +315,7 @@ private:
   vtkImplicitFlowVolumeMapper(const vtkImplicitFlowVolumeMapper&) = delete;
   void operator=(const vtkImplicitFlowVolumeMapper&) = delete;
 
-  std::string Draw(vtkRenderer* renderer, vtkVolume* volume);
+  interlume::Error Draw(vtkRenderer* renderer, vtkVolume* volume);
   void SetName(std::string& member, const char* name);
 
   std::map<int, vtkSmartPointer<vtkImageData>> InflowTextures;

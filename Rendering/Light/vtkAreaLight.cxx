@@ -148,8 +148,9 @@ const interlume::EmitterGrid* vtkAreaLight::GetGrid() const
 
 std::string vtkAreaLight::GetEmitterError() const
 {
-  return this->Emitter ? interlume::LightImage(this->Emitter).GetError("the image of its emitter")
-                       : "";
+  return this->Emitter
+    ? interlume::LightImage(this->Emitter).GetError("the image of its emitter").GetMessage()
+    : "";
 }
 
 std::vector<vtkAreaLight::Sample> vtkAreaLight::GetSamples(int count)

@@ -7,7 +7,7 @@
 #include "vtkSmartPointer.h" // for the emitter
 
 #include <memory> // for what is kept of the emitter
-#include <string> // for what is wrong with it
+#include <string> // for its error message
 #include <vector> // for samples
 
 class vtkImageData;
@@ -123,7 +123,7 @@ public:
   bool GetEmitterMatrix(vtkMatrix4x4* matrix);
 
   /**
-   * Returns what is wrong with the emitter's image, or nothing, as without an image.
+   * Returns an error message if the emitter's image cannot be read, or an empty string.
    */
   std::string GetEmitterError() const;
 

@@ -148,7 +148,9 @@ bool vtkProjectiveLight::GetScreenMatrix(const double position[3], const double 
 
 std::string vtkProjectiveLight::GetImageError() const
 {
-  return this->Image ? interlume::LightImage(this->Image).GetError("the image on its screen") : "";
+  return this->Image
+    ? interlume::LightImage(this->Image).GetError("the image on its screen").GetMessage()
+    : "";
 }
 
 std::vector<float> vtkProjectiveLight::GetTexels() const

@@ -6,7 +6,7 @@
 #include "vtkLight.h"
 #include "vtkSmartPointer.h" // for the image
 
-#include <string> // for what is wrong with it
+#include <string> // for its error message
 #include <vector> // for its texels
 
 class vtkImageData;
@@ -114,7 +114,7 @@ public:
     double scale, vtkMatrix4x4* matrix) const;
 
   /**
-   * Returns what is wrong with the image, or nothing, as without an image.
+   * Returns an error message if the image cannot be read, or an empty string.
    */
   std::string GetImageError() const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowedScenePass.h"
 
+#include "Common/Error.h"
 #include "Common/NamedValue.h"
 #include "Draw/VolumeImage.h"
 #include "Receivers/SceneRenderer.h"
@@ -134,12 +135,12 @@ void vtkShadowedScenePass::Render(const vtkRenderState* state)
   vtkRenderState surfaces(renderer);
   surfaces.SetPropArrayAndCount(scene.GetProps().data(), static_cast<int>(scene.GetProps().size()));
   this->PreRender(&surfaces);
-  const std::string error = this->DrawShadows(renderer);
-  if (!error.empty())
+  const interlume::Error error = this->DrawShadows(renderer);
+  if (error)
   {
     vtkErrorMacro(<< "The scene is drawn without shadows: " << error);
   }
-  scene.MakeShader(renderer, error.empty(), this->Report);
+  scene.MakeShader(renderer, !error, this->Report);
   scene.Activate();
   this->DrawAll(state);
   scene.End(renderer);
@@ -168,11 +169,11 @@ void vtkShadowedScenePass::FindVolumes(vtkRenderer* renderer)
   }
 }
 
-std::string vtkShadowedScenePass::DrawShadows(vtkRenderer* renderer)
+interlume::Error vtkShadowedScenePass::DrawShadows(vtkRenderer* renderer)
 {
   interlume::SceneRenderer& scene = *this->Renderer;
-  std::string error = scene.DrawMaps(renderer, this->Report);
-  if (!error.empty() || !scene.HasVolumes())
+  interlume::Error error = scene.DrawMaps(renderer, this->Report);
+  if (error || !scene.HasVolumes())
   {
     return error;
   }
@@ -183,17 +184,17 @@ std::string vtkShadowedScenePass::DrawShadows(vtkRenderer* renderer)
     channels = mapper->GetTransmissionColor() ? 3 : channels;
   }
   error = scene.DrawEyeDepth(renderer, channels, this->Report);
-  if (error.empty())
+  if (error)
   {
-    error = scene.DrawSegments(
-      renderer, [&]() { this->DrawVolumes(renderer); }, [&]() { this->ShowVolumes(renderer); },
-      this->Report);
-    this->Report.Volumes = static_cast<int>(this->Volumes.size());
+    return error;
   }
-  return error;
+  this->Report.Volumes = static_cast<int>(this->Volumes.size());
+  return scene.DrawSegments(
+    renderer, [&]() { this->DrawVolumes(renderer); }, [&]() { this->ShowVolumes(renderer); },
+    this->Report);
 }
 
-std::string vtkShadowedScenePass::DrawTogether(vtkRenderer* renderer)
+interlume::Error vtkShadowedScenePass::DrawTogether(vtkRenderer* renderer)
 {
   this->Images.clear();
   for (vtkVolume* volume : this->Volumes)
@@ -214,7 +215,7 @@ void vtkShadowedScenePass::DrawVolumes(vtkRenderer* renderer)
 {
   interlume::SliceScene& scene = this->Renderer->GetScene();
   scene.Fields.clear();
-  this->Report.VolumesApart = this->DrawTogether(renderer);
+  this->Report.VolumesApart = this->DrawTogether(renderer).GetMessage();
   const auto together = std::count_if(this->Images.begin(), this->Images.end(),
     [](const interlume::VolumeImage* image) { return image->IsTogether(); });
   if (together == 0)

@@ -15,6 +15,7 @@ class vtkVolume;
 
 namespace interlume
 {
+class Error;
 class SceneRenderer;
 class SliceRenderer;
 class VolumeImage;
@@ -294,11 +295,11 @@ private:
 
   /// Draws what the renderer draws without a pass, or the delegate.
   void DrawAll(const vtkRenderState* state);
-  std::string DrawShadows(vtkRenderer* renderer);
+  interlume::Error DrawShadows(vtkRenderer* renderer);
   /// Renders all volumes for the scene as it is, together if that is possible, and lays the images
   /// over the framebuffer that is bound.
   void DrawVolumes(vtkRenderer* renderer);
-  std::string DrawTogether(vtkRenderer* renderer);
+  interlume::Error DrawTogether(vtkRenderer* renderer);
   void ShowVolumes(vtkRenderer* renderer);
   void FindVolumes(vtkRenderer* renderer);
   void WarnOfUnreached();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowedSliceMapper.h"
 
+#include "Common/Error.h"
 #include "Common/NamedValue.h"
 #include "Draw/VolumeImage.h"
 #include "Offscreen/PeelingDeferral.h"
@@ -92,7 +93,7 @@ vtkMTimeType vtkShadowedSliceMapper::GetMTime()
   return time;
 }
 
-std::string vtkShadowedSliceMapper::FindScalars(
+interlume::Error vtkShadowedSliceMapper::FindScalars(
   vtkImageData* image, vtkDataArray*& scalars, bool& isOfCells)
 {
   int cellFlag = 0;
@@ -134,7 +135,7 @@ void vtkShadowedSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   {
     this->Image->Show(renderer);
     this->TimeToDraw = this->RenderReport.Seconds;
-    this->ReportFaults();
+    this->ReportErrors();
   }
 }
 
@@ -157,22 +158,22 @@ interlume::VolumeImage& vtkShadowedSliceMapper::UpdateImage(
   int left = 0;
   int bottom = 0;
   renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
-  std::string error;
+  interlume::Error error;
   if (image && image->GetNumberOfPoints() > 0 && width > 0 && height > 0)
   {
     error = this->BlendMode == COMPOSITE_BLEND
       ? this->FindScalars(image, request.Scalars, request.IsOfCells)
-      : std::string("blend modes other than composite are not supported");
+      : "blend modes other than composite are not supported";
   }
   this->Image->Begin(request, error);
   return *this->Image;
 }
 
-void vtkShadowedSliceMapper::ReportFaults()
+void vtkShadowedSliceMapper::ReportErrors()
 {
   const interlume::VolumeResources::Request& request = this->Image->GetRequest();
   const interlume::VolumeResources::Result& result = this->Image->GetResult();
-  std::string text = result.Error;
+  std::string text = result.Error.GetMessage();
   for (const std::string& warning : result.Warnings)
   {
     text += (text.empty() ? "" : "; ") + warning;
@@ -192,7 +193,7 @@ void vtkShadowedSliceMapper::ReportFaults()
     this->ErrorTime = state;
     this->ErrorText = text;
   }
-  if (result.Error.empty() && this->RenderReport.NonFiniteVoxels > 0 &&
+  if (!result.Error && this->RenderReport.NonFiniteVoxels > 0 &&
     request.Scalars->GetMTime() != this->WarningTime)
   {
     const char* name = request.Scalars->GetName();

@@ -19,6 +19,7 @@ class vtkSliceMatter;
 
 namespace interlume
 {
+class Error;
 class PeelingDeferral;
 class VolumeImage;
 }
@@ -518,8 +519,8 @@ private:
   vtkShadowedSliceMapper(const vtkShadowedSliceMapper&) = delete;
   void operator=(const vtkShadowedSliceMapper&) = delete;
 
-  std::string FindScalars(vtkImageData* image, vtkDataArray*& scalars, bool& isOfCells);
-  void ReportFaults();
+  interlume::Error FindScalars(vtkImageData* image, vtkDataArray*& scalars, bool& isOfCells);
+  void ReportErrors();
 
   vtkShadowedSliceReport RenderReport;
   vtkMTimeType ErrorTime = 0;

@@ -49,7 +49,7 @@ public:
   virtual void Deactivate() = 0;
   ///@}
 
-  /// Takes what is wrong with a picture, once for one state of the mapper.
+  /// Reports the errors and warnings of an image, once for one state of the mapper.
   virtual void ReportFault(const std::string& text) = 0;
 };
 

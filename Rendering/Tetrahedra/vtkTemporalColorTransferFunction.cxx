@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTemporalColorTransferFunction.h"
 
+#include "Common/Error.h"
+
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
@@ -63,7 +65,7 @@ std::vector<Node> GetNodes(const std::vector<double>& times)
   return nodes;
 }
 
-std::string FindFault(const std::vector<double>& times, const std::vector<Node>& nodes)
+interlume::Error FindError(const std::vector<double>& times, const std::vector<Node>& nodes)
 {
   for (const double time : times)
   {
@@ -72,11 +74,11 @@ std::string FindFault(const std::vector<double>& times, const std::vector<Node>&
       return "a time is not finite";
     }
   }
-  const auto fault = std::adjacent_find(
+  const auto found = std::adjacent_find(
     nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return !(a.Time < b.Time); });
-  if (fault != nodes.end())
+  if (found != nodes.end())
   {
-    return "times do not increase at " + std::to_string(fault->Time);
+    return "times do not increase at " + std::to_string(found->Time);
   }
   return {};
 }
@@ -91,10 +93,9 @@ void vtkTemporalColorTransferFunction::SetTimes(int n, const double* times)
   }
   const std::vector<double> steps(times, times + n);
   const std::vector<Node> nodes = GetNodes(steps);
-  const std::string fault = FindFault(steps, nodes);
-  if (!fault.empty())
+  if (const interlume::Error error = FindError(steps, nodes))
   {
-    vtkErrorMacro("Colours need finite times that increase: " << fault << ".");
+    vtkErrorMacro("Colours need finite times that increase: " << error << ".");
     return;
   }
   this->RemoveAllPoints();

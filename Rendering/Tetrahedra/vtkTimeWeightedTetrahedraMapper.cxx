@@ -163,7 +163,7 @@ vtkMTimeType vtkTimeWeightedTetrahedraMapper::GetMTime()
   return this->BoundaryTexture ? std::max(time, this->BoundaryTexture->GetMTime()) : time;
 }
 
-std::string vtkTimeWeightedTetrahedraMapper::FindArrays(
+interlume::Error vtkTimeWeightedTetrahedraMapper::FindArrays(
   vtkUnstructuredGrid* grid, interlume::TetrahedraArrays& arrays)
 {
   int cellFlag = 0;
@@ -177,23 +177,28 @@ std::string vtkTimeWeightedTetrahedraMapper::FindArrays(
   }
   arrays.ScalarsAreOfCells = arrays.Scalars->GetNumberOfTuples() == grid->GetNumberOfCells() &&
     (cellFlag == 1 || this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA);
-  std::string wrong = arrays.ScalarsAreOfCells
-    ? std::string()
-    : interlume::ArrayCheck::FindPointFault(grid, arrays.Scalars, 0);
   const std::string extent = this->HasDeltaTArrayName ? this->DeltaTArrayName : DELTA_T;
   arrays.DeltaT = grid->GetPointData()->GetArray(extent.c_str());
-  if (wrong.empty() && !extent.empty() && (this->HasDeltaTArrayName || arrays.DeltaT))
+  const bool hasExtent = !extent.empty() && (this->HasDeltaTArrayName || arrays.DeltaT);
+  const bool hasLayers = this->BlendMode == PRIORITY_BLEND;
+  arrays.Layers = hasLayers ? grid->GetCellData()->GetArray(this->LayerArrayName.c_str()) : nullptr;
+  using interlume::Error;
+  namespace ArrayCheck = interlume::ArrayCheck;
+  for (const Error& error :
+    { arrays.ScalarsAreOfCells ? Error() : ArrayCheck::FindPointError(grid, arrays.Scalars, 0),
+      hasExtent
+        ? ArrayCheck::FindPointError(grid, "input", extent, 1).Within("", " for the extent in time")
+        : Error(),
+      hasLayers ? ArrayCheck::FindCellError(grid, "input", this->LayerArrayName, 0)
+                    .Within("", " for layers")
+                : Error() })
   {
-    wrong = interlume::ArrayCheck::FindPointFault(grid, "input", extent, 1);
-    wrong += wrong.empty() ? "" : " for the extent in time";
+    if (error)
+    {
+      return error;
+    }
   }
-  if (wrong.empty() && this->BlendMode == PRIORITY_BLEND)
-  {
-    wrong = interlume::ArrayCheck::FindCellFault(grid, "input", this->LayerArrayName, 0);
-    wrong += wrong.empty() ? "" : " for layers";
-    arrays.Layers = grid->GetCellData()->GetArray(this->LayerArrayName.c_str());
-  }
-  return wrong.empty() ? interlume::GridCheck::Find(grid) : wrong;
+  return interlume::GridCheck::FindError(grid);
 }
 
 bool vtkTimeWeightedTetrahedraMapper::HasExtentInTime(vtkDataSet* data) const
@@ -330,24 +335,21 @@ void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* v
   {
     return;
   }
-  request.Grid = hasGrid ? grid : nullptr;
   request.Boundary = vtkDataSet::SafeDownCast(
     this->GetNumberOfInputConnections(1) > 0 ? this->GetExecutive()->GetInputData(1, 0) : nullptr);
-  std::string error = hasGrid ? this->FindArrays(grid, request.Arrays) : std::string();
-  if (!error.empty())
-  {
-    request.Grid = nullptr;
-  }
+  interlume::Error error = hasGrid ? this->FindArrays(grid, request.Arrays) : interlume::Error();
+  request.Grid = hasGrid && !error ? grid : nullptr;
   // A piece that cannot be drawn must not keep those of the other processes waiting.
   if (request.Grid || request.Pieces)
   {
-    const std::string wrong = this->Renderer->Render(renderer, volume, request, this->Report);
-    error = error.empty() ? wrong : error;
+    const interlume::Error drawing =
+      this->Renderer->Render(renderer, volume, request, this->Report);
+    error = error ? error : drawing;
   }
   this->TimeToDraw = this->Report.Seconds;
   // An error is given once for one state of the input and of the mapper, not for every picture.
   const vtkMTimeType state = std::max(grid ? grid->GetMTime() : 0, this->GetMTime());
-  if (!error.empty() && state != this->ErrorTime)
+  if (error && state != this->ErrorTime)
   {
     vtkErrorMacro(<< error);
     this->ErrorTime = state;

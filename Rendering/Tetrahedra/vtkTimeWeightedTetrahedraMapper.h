@@ -20,6 +20,7 @@ class vtkUnstructuredGrid;
 
 namespace interlume
 {
+class Error;
 class PeelingDeferral;
 class PieceExchange;
 class TetrahedraRenderer;
@@ -329,8 +330,8 @@ private:
   double* GetOwnBounds();
   /// Returns whether a picture in a window is left to SOFTWARE_PATH.
   bool DrawsInSoftware(vtkRenderWindow* window) const;
-  /// The arrays to be read; returns what is wrong, or nothing.
-  std::string FindArrays(vtkUnstructuredGrid* grid, interlume::TetrahedraArrays& arrays);
+  /// Sets the arrays to be read. Returns an error if they or the cells cannot be used.
+  interlume::Error FindArrays(vtkUnstructuredGrid* grid, interlume::TetrahedraArrays& arrays);
 
   int IntegrationMode = LINEAR_SEGMENT;
   int SortMode = AUTOMATIC_SORT;

@@ -35,16 +35,16 @@ struct Cube
     vtkNew<vtkDoubleArray> values;
     values->SetNumberOfTuples(static_cast<vtkIdType>(size) * size * size);
     values->Fill(1.0);
-    this->Samples.Build(values, { { size, size, size } }, false);
+    static_cast<void>(this->Samples.Build(values, { { size, size, size } }, false));
     this->Blocks.Build(this->Samples);
     vtkNew<vtkPiecewiseFunction> opacity;
     opacity->AddPoint(0.0, 1e-7);
     opacity->AddPoint(2.0, 1e-7);
     vtkNew<vtkVolumeProperty> property;
     property->SetScalarOpacity(opacity);
-    this->Material.Build(property, this->Samples, nullptr, { true, nullptr });
+    static_cast<void>(this->Material.Build(property, this->Samples, nullptr, { true, nullptr }));
     this->Blocks.Classify(this->Material);
-    this->Region.Set({}, this->Space);
+    static_cast<void>(this->Region.Set({}, this->Space));
     this->Grid.Build({ { this->Samples, this->Blocks, this->Material, this->Space, this->Region,
       glm::dvec3(1.0), { { 1.0, 1.0, 1.0, 1.0 } }, size, true } });
   }

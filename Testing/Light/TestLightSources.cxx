@@ -35,7 +35,7 @@ interlume::UnitSpace MakeSpace()
   image->SetOrigin(95.0, -5.0, -5.0);
   vtkNew<vtkMatrix4x4> matrix;
   interlume::UnitSpace space;
-  space.Set(image, true, matrix);
+  static_cast<void>(space.Set(image, true, matrix));
   return space;
 }
 

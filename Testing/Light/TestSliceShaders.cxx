@@ -175,8 +175,8 @@ void TestProgram(SliceFeatures::Programs program, const std::string& name, std::
       text += " " + word;
     }
     met.insert(words.begin(), words.end());
-    const std::string error = pass.Prepare(window, MakeSource(program, words), vertices);
-    check.That(error.empty(), text + ": " + error);
+    const interlume::Error error = pass.Prepare(window, MakeSource(program, words), vertices);
+    check.That(!error, text + ": " + error.GetMessage());
   }
   for (const Choice& choice : choices)
   {

@@ -154,7 +154,7 @@ void CheckRandom(Check& check)
     const double far = number % 7 == 0 ? 1e7 : 10.0;
     Scene scene;
     MakeScene(scene, random, number, far);
-    check.That(scene.Space.Set(scene.Image, scene.IsOfCells, scene.Matrix).empty(), "no error");
+    check.That(!scene.Space.Set(scene.Image, scene.IsOfCells, scene.Matrix), "no error");
     CheckPoints(check, scene, random, far);
   }
 }
@@ -166,11 +166,11 @@ void CheckSizes(Check& check)
   vtkNew<vtkMatrix4x4> matrix;
   interlume::UnitSpace space;
   image->SetExtent(5, 8, 0, 0, -1, 0);
-  space.Set(image, false, matrix);
+  check.That(!space.Set(image, false, matrix), "no error");
   check.That(space.Size == std::array<int, 3>{ { 4, 1, 2 } }, "texels of points");
   check.Near(space.Radius, 0.5 * std::sqrt(9.0 + 1.0 + 1.0), 1e-14, "one voxel thick");
   check.Near(space.Center[0], 6.5, 1e-14, "middle");
-  space.Set(image, true, matrix);
+  check.That(!space.Set(image, true, matrix), "no error");
   check.That(space.Size == std::array<int, 3>{ { 3, 1, 1 } }, "texels of cells");
   check.That(space.Box[0] == std::array<double, 2>{ { 0.0, 1.0 } }, "cells fill their texture");
 }
@@ -180,7 +180,7 @@ void CheckErrors(Check& check)
   vtkNew<vtkImageData> image;
   vtkNew<vtkMatrix4x4> matrix;
   interlume::UnitSpace space;
-  const auto hasError = [&] { return !space.Set(image, false, matrix).empty(); };
+  const auto hasError = [&] { return static_cast<bool>(space.Set(image, false, matrix)); };
   check.That(hasError(), "an image without samples");
   image->SetDimensions(3, 4, 5);
   check.That(!hasError(), "no error");

@@ -124,9 +124,9 @@ void CheckBlocks(const Case& volume, int edge, Check& check)
   const auto array = MakeArray(volume);
   const auto property = MakeProperty(volume);
   interlume::VolumeSamples samples;
-  check.That(samples.Build(array, volume.Samples, false).empty(), "samples");
+  check.That(!samples.Build(array, volume.Samples, false), "samples");
   interlume::MaterialTable material;
-  check.That(material.Build(property, samples, nullptr).empty(), "materials");
+  check.That(!material.Build(property, samples, nullptr), "materials");
   interlume::VolumeBlocks blocks;
   blocks.Build(samples, edge);
   check.Equal(blocks.GetNumberVisible(), 0, "none before they are classified");
@@ -181,9 +181,9 @@ void CheckJoined(const Case& volume, Check& check)
 {
   check.SetContext(volume.Name + ", joined blocks");
   interlume::VolumeSamples samples;
-  check.That(samples.Build(MakeArray(volume), volume.Samples, false).empty(), "samples");
+  check.That(!samples.Build(MakeArray(volume), volume.Samples, false), "samples");
   interlume::MaterialTable material;
-  check.That(material.Build(MakeProperty(volume), samples, nullptr).empty(), "materials");
+  check.That(!material.Build(MakeProperty(volume), samples, nullptr), "materials");
   interlume::VolumeBlocks small;
   small.Build(samples, interlume::VolumeBlocks::SmallSize);
   interlume::VolumeBlocks joined;
@@ -319,13 +319,13 @@ void CheckNonFinite(Check& check)
 void CheckBorders(Check& check)
 {
   check.SetContext("borders");
-  const auto bordersOf = [](const Size& size, int axis)
+  const auto bordersOf = [&check](const Size& size, int axis)
   {
     Case volume;
     volume.Samples = size;
     volume.Value = [](const Place&, int) { return 0.0; };
     interlume::VolumeSamples samples;
-    samples.Build(MakeArray(volume), size, false);
+    check.That(!samples.Build(MakeArray(volume), size, false), "samples");
     interlume::VolumeBlocks blocks;
     blocks.Build(samples);
     return blocks.GetBorders(axis);
@@ -352,9 +352,9 @@ void CheckThreads(Check& check)
   const auto classify = [&]()
   {
     interlume::VolumeSamples samples;
-    samples.Build(array, volume.Samples, false);
+    check.That(!samples.Build(array, volume.Samples, false), "samples");
     interlume::MaterialTable material;
-    material.Build(property, samples, nullptr);
+    check.That(!material.Build(property, samples, nullptr), "materials");
     interlume::VolumeBlocks blocks;
     blocks.Build(samples);
     blocks.Classify(material);

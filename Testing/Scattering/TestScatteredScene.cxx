@@ -181,12 +181,12 @@ public:
     this->Medium.CellSize = glm::dvec3(1.0 / Cells);
     this->Medium.Extinction.assign(this->Medium.GetNumberOfCells(), static_cast<float>(extinction));
     this->Medium.Albedo.assign(this->Medium.GetNumberOfCells(), glm::vec3(1.0F));
-    this->Medium.Phase.SetHenyeyGreenstein(g);
+    static_cast<void>(this->Medium.Phase.SetHenyeyGreenstein(g));
     this->Light.Direction = { 0.0, -1.0, 0.0 };
     this->Light.Fill(this->Medium, glm::vec3(0.8F));
     interlume::ScatteringReport report;
-    interlume::ScatteringSolver::Solve(
-      this->Medium, { this->Light }, interlume::ScatteringMode::Full, {}, this->Field, report);
+    static_cast<void>(interlume::ScatteringSolver::Solve(
+      this->Medium, { this->Light }, interlume::ScatteringMode::Full, {}, this->Field, report));
   }
 
   /// By the formula of SceneFields.h.

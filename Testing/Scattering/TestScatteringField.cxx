@@ -82,15 +82,15 @@ double GetSolved(double extinction, double g, const Double3& direction, bool isF
   medium.CellSize = glm::dvec3(1.0 / Cells);
   medium.Extinction.assign(medium.GetNumberOfCells(), static_cast<float>(extinction));
   medium.Albedo.assign(medium.GetNumberOfCells(), glm::vec3(1.0F));
-  medium.Phase.SetHenyeyGreenstein(g);
+  static_cast<void>(medium.Phase.SetHenyeyGreenstein(g));
   std::vector<ScatteringLight> lights(1);
   lights[0].Direction = glm::normalize(glm::dvec3(direction[0], direction[1], direction[2]));
   lights[0].Fill(medium, glm::vec3(1.0F));
   ScatteringField field;
   interlume::ScatteringReport report;
-  interlume::ScatteringSolver::Solve(medium, lights,
+  static_cast<void>(interlume::ScatteringSolver::Solve(medium, lights,
     isFull ? interlume::ScatteringMode::Full : interlume::ScatteringMode::Forward, {}, field,
-    report);
+    report));
   const glm::dvec3 toEye(0.0, 0.0, 1.0);
   const double phase =
     4.0 * vtkMath::Pi() * medium.Phase.Value(glm::dot(lights[0].Direction, toEye));

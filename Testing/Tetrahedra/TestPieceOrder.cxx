@@ -174,6 +174,7 @@ void CheckWhatCannotBeParted(Check& check)
     { { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 } } };
   check.Equal(PieceOrder(flat).Compute({ { 0.5, 0.5, 5.0, 1.0 } })[0], 1, "a flat box behind");
   check.Equal(PieceOrder(flat).Compute({ { 0.5, 0.5, -5.0, 1.0 } })[0], 0, "a flat box before");
+  check.That(PieceOrder({ flat[0], flat[0] }).IsPossible(), "two flat boxes in one place");
 }
 
 }

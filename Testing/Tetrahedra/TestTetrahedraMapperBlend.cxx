@@ -262,6 +262,26 @@ void TestNearPlane(Check& check)
   Expect(check, what, "eye inside the mesh, near plane 1e-4 away");
 }
 
+/// A fine mesh around the eye, which gives the image of one of five tetrahedra. Half of the way
+/// takes 99 % of the light: the tetrahedra behind still show.
+void TestNearlyOpaque(Check& check)
+{
+  PictureCase what = MakeCase(false);
+  what.Camera->SetPosition(0.47, 0.53, 0.41);
+  what.Camera->SetFocalPoint(0.47 + 0.3, 0.53 - 0.4, 0.41 + 1.0);
+  what.Camera->SetViewAngle(70.0);
+  what.Camera->SetClippingRange(1e-4, 10.0);
+  what.Property = MakeRamp(12.0, 12.0);
+  what.Grid = MakeCube(1);
+  const RgbaPicture expected = DrawByReference(what);
+  what.Grid = MakeCube(16);
+  for (int path : AllRenderPaths())
+  {
+    const PictureError error = ComparePictures(DrawByPath(path, what), expected);
+    check.Near(error.Max, 0.0, Bound, "nearly opaque, " + GetPathName(path), 1.0);
+  }
+}
+
 /// A plane across the whole picture, at a slant to the lines of sight, so far behind the middle.
 void AddPlane(PictureCase& what, double behind, const Point3& color)
 {
@@ -355,5 +375,6 @@ int TestTetrahedraMapperBlend(int, char*[])
   }
   TestAutomatic(check);
   TestNearPlane(check);
+  TestNearlyOpaque(check);
   return check.Result();
 }

@@ -43,6 +43,8 @@ using Ids = std::set<vtkIdType>;
 
 constexpr int Side = 4;
 constexpr vtkIdType Cells = Side * Side;
+/// The process that selections are to be of.
+constexpr int Process = 7;
 constexpr Point3 Red = { { 1.0, 0.1, 0.0 } };
 
 /// Side x Side tetrahedra a unit apart and half as large, each with its own scalar, the cell's id,
@@ -102,6 +104,7 @@ public:
     this->Window->Render();
     vtkNew<vtkHardwareSelector> selector;
     selector->SetRenderer(this->Renderer);
+    selector->SetProcessID(Process);
     selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
     selector->SetArea(static_cast<unsigned int>(left), static_cast<unsigned int>(bottom),
       static_cast<unsigned int>(right), static_cast<unsigned int>(top));
@@ -112,6 +115,8 @@ public:
       vtkSelectionNode* node = selection->GetNode(n);
       auto* list = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
       const bool isVolume = node->GetProperties()->Get(vtkSelectionNode::PROP()) == this->Volume;
+      this->HasOtherProcess = this->HasOtherProcess ||
+        (isVolume && node->GetProperties()->Get(vtkSelectionNode::PROCESS_ID()) != Process);
       for (vtkIdType i = 0; isVolume && list && i < list->GetNumberOfTuples(); ++i)
       {
         found.insert(list->GetValue(i));
@@ -145,6 +150,7 @@ public:
   }
 
   std::string Name;
+  bool HasOtherProcess = false;
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
   vtkNew<Mapper> Drawer;
   vtkNew<vtkVolume> Volume;
@@ -176,6 +182,7 @@ void Expect(Check& check, Picker& picker, const Ids& missing, const std::string&
   }
   const Ids all = picker.SelectAll();
   check.That(all == expected, name + ": found" + Print(all) + " instead of" + Print(expected));
+  check.That(!picker.HasOtherProcess, name + ": another process");
   for (vtkIdType cell = 0; cell < Cells; ++cell)
   {
     const Ids one = picker.SelectAt(cell);

@@ -59,42 +59,43 @@ std::string FlowCheckpoint::GetPieceName(const std::string& fileName, int piece,
     extension;
 }
 
-std::string FlowCheckpoint::Read()
+Error FlowCheckpoint::Read()
 {
   if (!IsCheckpoint(this->FileName))
   {
     this->IsBarred = true;
-    return "it is no checkpoint of an implicit flow field. It is left as it is, and none is "
-           "written";
+    return { "it is no checkpoint of an implicit flow field. It is left as it is, and none is "
+             "written",
+      ErrorCode::File };
   }
   vtkNew<vtkXMLTableReader> reader;
   const bool isRead = WholeFiles::Read(reader, this->FileName);
   vtkTable* table = reader->GetOutput();
   if (!isRead || !table->GetFieldData()->GetArray(MarkArray))
   {
-    return "it is damaged or not whole";
+    return { "it is damaged or not whole", ErrorCode::File };
   }
   const std::string different = this->Own.Compare(table->GetFieldData());
   if (!different.empty())
   {
     return "these differ: " + different;
   }
-  const std::string wrong = this->Record.Read(table);
-  return wrong.empty() ? wrong : "it is damaged, " + wrong;
+  return this->Record.Read(table).Within("it is damaged, ");
 }
 
 void FlowCheckpoint::Open(RankExchange* exchange)
 {
   const bool isThere = WholeFiles::IsThere(this->FileName);
-  std::string wrong = isThere ? this->Read() : std::string();
-  wrong = wrong.empty() ? wrong : "The checkpoint " + this->FileName + " is not used: " + wrong;
-  const std::string anywhere = exchange ? exchange->FindFirst(wrong) : wrong;
-  if (!anywhere.empty())
+  const Error error = (isThere ? this->Read() : Error())
+                        .Within("The checkpoint " + this->FileName + " is not used: ",
+                          ". All streamlines are followed anew.");
+  const Error anywhere = exchange ? exchange->FindFirst(error) : error;
+  if (anywhere)
   {
     this->Record.Clear();
-    this->Tell((wrong.empty() ? anywhere : wrong) + ". All streamlines are followed anew.");
+    this->Tell((error ? error : anywhere).GetMessage());
   }
-  this->IsOwn = isThere && anywhere.empty();
+  this->IsOwn = isThere && !anywhere;
   this->RowsInFile = this->Record.GetNumberOfRows();
   // Hours later would be late to learn that there is no such folder.
   if (!this->IsBarred && !WholeFiles::CanWrite(this->FileName))

@@ -29,8 +29,8 @@ class FlowCheckpoint
 public:
   using Warn = std::function<void(const std::string&)>;
 
-  /// \a interval is the least number of seconds between two files; \a warn takes what is wrong with
-  /// a file when that is found.
+  /// \a interval is the least number of seconds between two files; \a warn takes warnings about a
+  /// file.
   FlowCheckpoint(const std::string& fileName, double interval, FlowFingerprint&& fingerprint,
     int means, Warn&& warn);
 
@@ -65,8 +65,9 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  /// Reads the file. Returns why it is of no use, or nothing.
-  std::string Read();
+  /// Reads the file. Returns an error, whose message is a part of a sentence, if the file cannot be
+  /// used.
+  Error Read();
 
   std::string FileName;
   double Interval;

@@ -208,7 +208,7 @@ void StreamlineRecord::Write(vtkTable* table) const
   }
 }
 
-std::string StreamlineRecord::Read(vtkTable* table)
+Error StreamlineRecord::Read(vtkTable* table)
 {
   std::vector<vtkDataArray*> there;
   for (vtkDataArray* column : this->GetColumns())
@@ -217,7 +217,8 @@ std::string StreamlineRecord::Read(vtkTable* table)
     if (!same || same->GetDataType() != column->GetDataType() ||
       same->GetNumberOfComponents() != column->GetNumberOfComponents())
     {
-      return std::string("it has no column ") + column->GetName() + " as it should be";
+      return { std::string("it has no column ") + column->GetName() + " as it should be",
+        ErrorCode::File };
     }
     there.push_back(same);
   }
@@ -229,7 +230,7 @@ std::string StreamlineRecord::Read(vtkTable* table)
   if (groups < 0 || !digests || digests->GetNumberOfValues() != groups || !digest ||
     digest->GetNumberOfValues() != 1 || digest->GetValue(0) != GetDigest(there))
   {
-    return "its numbers are not those that were written";
+    return { "its numbers are not those that were written", ErrorCode::File };
   }
   this->Rows = table->GetNumberOfRows();
   this->Groups.clear();

@@ -3,6 +3,7 @@
 #define interlume_StreamlineRecord_h
 
 #include "Advection/AdvectionOptions.h"
+#include "Common/Error.h"
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
@@ -58,8 +59,8 @@ public:
 
   /// Adds all that is recorded to a table, without copies, which must not outlive this.
   void Write(vtkTable* table) const;
-  /// Takes over what a table has. Returns what is wrong with it, or nothing.
-  std::string Read(vtkTable* table);
+  /// Takes over what a table of a file has. Returns an error if the file is damaged.
+  Error Read(vtkTable* table);
 
 private:
   static constexpr std::size_t NumberOfInts = 11;

@@ -33,7 +33,7 @@ vtkIdType CellPositions::FindPoint(vtkIdType cell) const
   return -1;
 }
 
-std::string CellPositions::FindError(vtkIdType numberOfCells) const
+Error CellPositions::FindError(vtkIdType numberOfCells) const
 {
   std::atomic<vtkIdType> worst(numberOfCells);
   vtkSMPTools::For(0, numberOfCells,
@@ -51,7 +51,7 @@ std::string CellPositions::FindError(vtkIdType numberOfCells) const
       }
     });
   return worst == numberOfCells
-    ? std::string()
+    ? Error()
     : "point " + std::to_string(this->FindPoint(worst)) + " is not finite";
 }
 

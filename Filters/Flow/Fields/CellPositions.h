@@ -4,9 +4,9 @@
 
 #include "Cells/CellTree.h"
 #include "Common/ArrayRows.h"
+#include "Common/Error.h"
 
 #include <functional>
-#include <string>
 
 namespace interlume
 {
@@ -26,9 +26,8 @@ public:
 
   CellPositions(const ArrayRows& positions, CellPoints getPoints);
 
-  /// Returns a message that names the first point of the first cell that is not finite; nothing
-  /// without one.
-  std::string FindError(vtkIdType numberOfCells) const;
+  /// Returns an error that names the first point of the first cell that is not finite, if any.
+  Error FindError(vtkIdType numberOfCells) const;
   void Build(vtkIdType numberOfCells, CellTree& tree, const CellTree::Unite& unite = {}) const;
 
 private:

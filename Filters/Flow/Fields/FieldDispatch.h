@@ -2,6 +2,7 @@
 #ifndef interlume_FieldDispatch_h
 #define interlume_FieldDispatch_h
 
+#include "Common/Error.h"
 #include "Common/StageProgress.h"
 #include "Fields/ImageWalker.h"
 #include "Fields/StructuredWalker.h"
@@ -33,12 +34,12 @@ public:
    * Calls function(walker), where \a walker, of the kind that \a data needs, stands nowhere yet.
    * Each thread works with a copy. walker.GetField() has the speed, the bounds and what else is
    * known of the field, which lasts until the function returns. \a arrays are point arrays of one
-   * component, by number for Interpolate. Returns what is wrong with the field, the function not
-   * being called, or nothing. Nor is it called when the owner of \a progress, which is that of
-   * building the field, was aborted before.
+   * component, by number for Interpolate. Returns an error, without calling the function, if the
+   * field cannot be used. Nor is it called when the owner of \a progress, which is that of building
+   * the field, was aborted before.
    */
   template <typename Function>
-  static std::string Execute(vtkDataSet* data, vtkDataArray* vectors,
+  static Error Execute(vtkDataSet* data, vtkDataArray* vectors,
     const std::vector<vtkDataArray*>& arrays, Function&& function,
     const StageProgress& progress = {})
   {
@@ -63,12 +64,12 @@ public:
 
 private:
   template <typename Walker, typename Data, typename Function>
-  static std::string Run(Data* data, vtkDataArray* vectors,
-    const std::vector<vtkDataArray*>& arrays, const StageProgress& progress, Function& function)
+  static Error Run(Data* data, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays,
+    const StageProgress& progress, Function& function)
   {
     typename Walker::Field field;
-    std::string error = field.Build(data, vectors, arrays, progress);
-    if (error.empty() && progress.Reach(1.0))
+    Error error = field.Build(data, vectors, arrays, progress);
+    if (!error && progress.Reach(1.0))
     {
       function(Walker(&field));
     }

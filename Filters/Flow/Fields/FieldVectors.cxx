@@ -53,14 +53,13 @@ void FieldVectors::FillPortInformation(vtkInformation* info)
   }
 }
 
-std::string FieldVectors::Check(
+Error FieldVectors::Check(
   vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* asked)
 {
-  const std::string wrong = CheckVectors(data, vectors, association, asked);
-  return wrong.empty() ? CheckCells(data) : wrong;
+  return CheckVectors(data, vectors, association, asked).Then([&] { return CheckCells(data); });
 }
 
-std::string FieldVectors::CheckVectors(
+Error FieldVectors::CheckVectors(
   vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* asked)
 {
   using namespace ArrayCheck;
@@ -71,27 +70,27 @@ std::string FieldVectors::CheckVectors(
     vectors = name ? data->GetCellData()->GetArray(name) : data->GetCellData()->GetVectors();
     if (!vectors)
     {
-      return MakeSentence(name ? FindPointFault(data, "field", name, 3)
-                               : "the field has no active point vectors") +
-        " " + DescribeVectors(data);
+      return MakeSentence(
+        name ? FindPointError(data, "field", name, 3) : "the field has no active point vectors")
+        .Within("", " " + DescribeVectors(data));
     }
     association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
   }
-  std::string wrong = FindPlaceFault(vectors, association);
-  wrong = wrong.empty() ? FindPointFault(data, vectors, 3) : wrong;
-  return MakeSentence(wrong.empty() ? GridCheck::Find(data) : wrong);
+  return MakeSentence(FindAssociationError(vectors, association)
+                        .Then([&] { return FindPointError(data, vectors, 3); })
+                        .Then([&] { return GridCheck::FindError(data); }));
 }
 
-std::string FieldVectors::CompareNames(vtkDataArray* first, vtkDataArray* other)
+Error FieldVectors::CompareNames(vtkDataArray* first, vtkDataArray* other)
 {
   const auto describe = [](vtkDataArray* array)
   { return "\"" + std::string(array->GetName() ? array->GetName() : "") + "\""; };
   return describe(first) == describe(other)
-    ? std::string()
+    ? Error()
     : "The vectors are " + describe(other) + ", in the first block " + describe(first) + ".";
 }
 
-std::string FieldVectors::CheckCells(vtkDataSet* data)
+Error FieldVectors::CheckCells(vtkDataSet* data)
 {
   Blanking blanking;
   blanking.SetBlanking(data);
@@ -110,7 +109,7 @@ std::string FieldVectors::CheckCells(vtkDataSet* data)
       return what.str();
     }
   }
-  return isFlat ? ArrayCheck::MakeSentence(FlowField::GetErrorWithoutCells()) : std::string();
+  return isFlat ? ArrayCheck::MakeSentence(FlowField::GetErrorWithoutCells()) : Error();
 }
 
 }

@@ -2,7 +2,7 @@
 #ifndef interlume_FieldVectors_h
 #define interlume_FieldVectors_h
 
-#include <string>
+#include "Common/Error.h"
 
 class vtkDataArray;
 class vtkDataSet;
@@ -13,7 +13,7 @@ namespace interlume
 
 /**
  * @class   FieldVectors
- * @brief   the vectors and cells of a flow filter's field, and what is wrong with them
+ * @brief   checks the vectors and cells of a flow filter's field
  */
 class FieldVectors
 {
@@ -22,22 +22,22 @@ public:
   static void FillPortInformation(vtkInformation* info);
 
   /**
-   * Returns what is wrong with the array to process, null where there is none, or with the cells;
-   * nothing for vectors of three components in the points, and cells of MultilinearCell's types;
-   * those that are left out may be others. \a asked says which array it should be.
+   * Returns an error unless the array to process, null without one, has three components in the
+   * points, and the cells are of MultilinearCell's types; cells that are left out may be others.
+   * \a asked says which array it should be.
    */
-  static std::string Check(
+  static Error Check(
     vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* asked);
 
-  /// Returns what is wrong with the array alone.
-  static std::string CheckVectors(
+  /// Checks only the array.
+  static Error CheckVectors(
     vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* asked);
 
-  /// Returns why two arrays of blocks cannot be one, by their names; nothing if they can.
-  static std::string CompareNames(vtkDataArray* first, vtkDataArray* other);
+  /// Returns an error if two arrays of blocks cannot be one, by their names.
+  static Error CompareNames(vtkDataArray* first, vtkDataArray* other);
 
 private:
-  static std::string CheckCells(vtkDataSet* data);
+  static Error CheckCells(vtkDataSet* data);
 };
 
 }

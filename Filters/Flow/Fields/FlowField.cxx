@@ -18,28 +18,27 @@ namespace interlume
 namespace
 {
 
-std::string FindError(vtkDataSet* data, vtkDataArray* array, const char* what, int components)
+Error FindError(vtkDataSet* data, vtkDataArray* array, const char* what, int components)
 {
-  return array ? ArrayCheck::FindPointFault(data, array, components)
+  return array ? ArrayCheck::FindPointError(data, array, components)
                : std::string("there is no array of ") + what;
 }
 
 }
 
-std::string FlowField::SetArrays(
+Error FlowField::SetArrays(
   vtkDataSet* data, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays)
 {
-  std::string error = FindError(data, vectors, "vectors", 3);
-  for (vtkDataArray* array : arrays)
-  {
-    if (error.empty())
-    {
-      error = FindError(data, array, "numbers", 1);
-    }
-  }
-  if (!error.empty())
+  if (Error error = FindError(data, vectors, "vectors", 3))
   {
     return error;
+  }
+  for (vtkDataArray* array : arrays)
+  {
+    if (Error error = FindError(data, array, "numbers", 1))
+    {
+      return error;
+    }
   }
   this->Vectors.Build(vectors);
   this->Arrays.resize(arrays.size());

@@ -3,6 +3,7 @@
 #define interlume_FlowField_h
 
 #include "Common/ArrayRows.h"
+#include "Common/Error.h"
 #include "Common/StageProgress.h"
 #include "Numerics/SpeedScale.h"
 
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <string>
 #include <vector>
 
 class vtkDataArray;
@@ -26,10 +26,9 @@ namespace interlume
  * field's
  *
  * A field is constant once it is built, and read by any number of threads. A class for each kind of
- * dataset adds the geometry, and `std::string Build(dataset, vectors, arrays, progress)`, which
- * returns what is wrong with the field, or nothing. Once its progress is aborted nothing is wrong,
- * but the field is of no use. The arrays may be of any type; they are kept for as long as the
- * field.
+ * dataset adds the geometry, and `Error Build(dataset, vectors, arrays, progress)`, which returns
+ * an error if there can be no such field. An aborted progress is no error, but the field must not
+ * be used then. The arrays may be of any type; they are kept for as long as the field.
  *
  * Cells that are hidden or refined, or that have a hidden point, are not part of the field.
  * Duplicates of another piece's cells are.
@@ -37,8 +36,8 @@ namespace interlume
 class FlowField
 {
 public:
-  /// Returns what is wrong with a field of flat cells, as a part of a sentence.
-  static std::string GetErrorWithoutCells()
+  /// Returns the error of a field of flat cells, whose message is a part of a sentence.
+  static Error GetErrorWithoutCells()
   {
     return "the field has no three-dimensional cells. Flow in a plane needs two layers of points: "
            "append an image to itself along the third axis, extrude other grids";
@@ -92,8 +91,8 @@ protected:
   /// A function that gives the points of a cell, at most eight, and returns how many.
   using CellPoints = std::function<int(vtkIdType cell, vtkIdType* points)>;
 
-  /// Returns what is wrong with the arrays, or nothing.
-  std::string SetArrays(
+  /// Returns an error if the arrays cannot be used.
+  Error SetArrays(
     vtkDataSet* data, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays);
   /// Finds the excluded cells.
   void SetBlanking(vtkDataSet* data, const CellPoints& cells);

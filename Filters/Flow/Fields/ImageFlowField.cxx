@@ -13,13 +13,12 @@
 namespace interlume
 {
 
-std::string ImageFlowField::Build(vtkImageData* image, vtkDataArray* vectors,
+Error ImageFlowField::Build(vtkImageData* image, vtkDataArray* vectors,
   const std::vector<vtkDataArray*>& arrays, const StageProgress& progress, const FieldPart* part)
 {
   int points[3];
   image->GetDimensions(points);
-  std::string error = this->BuildIndices(image, points, vectors, arrays, progress, part);
-  if (!error.empty())
+  if (Error error = this->BuildIndices(image, points, vectors, arrays, progress, part))
   {
     return error;
   }

@@ -24,7 +24,7 @@ public:
 
   ImageFlowField() = default;
 
-  std::string Build(vtkImageData* image, vtkDataArray* vectors,
+  Error Build(vtkImageData* image, vtkDataArray* vectors,
     const std::vector<vtkDataArray*>& arrays = {}, const StageProgress& progress = {},
     const FieldPart* part = nullptr);
 

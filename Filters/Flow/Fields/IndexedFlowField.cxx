@@ -6,9 +6,8 @@
 namespace interlume
 {
 
-std::string IndexedFlowField::BuildIndices(vtkDataSet* data, const int points[3],
-  vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays, const StageProgress& progress,
-  const FieldPart* part)
+Error IndexedFlowField::BuildIndices(vtkDataSet* data, const int points[3], vtkDataArray* vectors,
+  const std::vector<vtkDataArray*>& arrays, const StageProgress& progress, const FieldPart* part)
 {
   const bool isEmpty = part && !FieldPart::HasCells(part->Own);
   if (!isEmpty && (points[0] < 2 || points[1] < 2 || points[2] < 2))
@@ -16,10 +15,12 @@ std::string IndexedFlowField::BuildIndices(vtkDataSet* data, const int points[3]
     return GetErrorWithoutCells();
   }
   const vtkIdType number = static_cast<vtkIdType>(points[0]) * points[1] * points[2];
-  std::string error = data->GetNumberOfPoints() == number ? this->SetArrays(data, vectors, arrays)
-                                                          : "the grid has " +
-      std::to_string(data->GetNumberOfPoints()) + " points of " + std::to_string(number);
-  if (!error.empty())
+  if (data->GetNumberOfPoints() != number)
+  {
+    return "the grid has " + std::to_string(data->GetNumberOfPoints()) + " points of " +
+      std::to_string(number);
+  }
+  if (Error error = this->SetArrays(data, vectors, arrays))
   {
     return error;
   }

@@ -157,8 +157,8 @@ protected:
   ~IndexedFlowField() = default;
 
   /// Takes the numbers of points, the arrays and the blanking, all but the geometry. Returns an
-  /// error or nothing.
-  std::string BuildIndices(vtkDataSet* data, const int points[3], vtkDataArray* vectors,
+  /// error as Build does.
+  Error BuildIndices(vtkDataSet* data, const int points[3], vtkDataArray* vectors,
     const std::vector<vtkDataArray*>& arrays, const StageProgress& progress,
     const FieldPart* part = nullptr);
 

@@ -12,13 +12,12 @@
 namespace interlume
 {
 
-std::string RectilinearFlowField::Build(vtkRectilinearGrid* grid, vtkDataArray* vectors,
+Error RectilinearFlowField::Build(vtkRectilinearGrid* grid, vtkDataArray* vectors,
   const std::vector<vtkDataArray*>& arrays, const StageProgress& progress, const FieldPart* part)
 {
   int points[3];
   grid->GetDimensions(points);
-  std::string error = this->BuildIndices(grid, points, vectors, arrays, progress, part);
-  if (!error.empty())
+  if (Error error = this->BuildIndices(grid, points, vectors, arrays, progress, part))
   {
     return error;
   }

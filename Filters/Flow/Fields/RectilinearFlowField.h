@@ -23,7 +23,7 @@ public:
 
   RectilinearFlowField() = default;
 
-  std::string Build(vtkRectilinearGrid* grid, vtkDataArray* vectors,
+  Error Build(vtkRectilinearGrid* grid, vtkDataArray* vectors,
     const std::vector<vtkDataArray*>& arrays = {}, const StageProgress& progress = {},
     const FieldPart* part = nullptr);
 

@@ -7,20 +7,19 @@
 namespace interlume
 {
 
-std::string StructuredFlowField::Build(vtkStructuredGrid* grid, vtkDataArray* vectors,
+Error StructuredFlowField::Build(vtkStructuredGrid* grid, vtkDataArray* vectors,
   const std::vector<vtkDataArray*>& arrays, const StageProgress& progress, const FieldPart* part)
 {
   int points[3];
   grid->GetDimensions(points);
-  std::string error =
-    this->BuildIndices(grid, points, vectors, arrays, progress.GetPart(0.0, 0.2), part);
-  if (!error.empty() || !progress.Reach(0.2) || this->GetNumberOfCells() == 0)
+  Error error = this->BuildIndices(grid, points, vectors, arrays, progress.GetPart(0.0, 0.2), part);
+  if (error || !progress.Reach(0.2) || this->GetNumberOfCells() == 0)
   {
     return error;
   }
   this->Positions.Build(grid->GetPoints()->GetData());
   error = this->GetCellPositions().FindError(this->GetNumberOfCells());
-  if (error.empty() && !part && progress.Reach(0.3))
+  if (!error && !part && progress.Reach(0.3))
   {
     this->BuildTree();
     if (progress.Reach(0.9))

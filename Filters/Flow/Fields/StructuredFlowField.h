@@ -33,7 +33,7 @@ public:
 
   using IndexedFlowField::GetPlace;
 
-  std::string Build(vtkStructuredGrid* grid, vtkDataArray* vectors,
+  Error Build(vtkStructuredGrid* grid, vtkDataArray* vectors,
     const std::vector<vtkDataArray*>& arrays = {}, const StageProgress& progress = {},
     const FieldPart* part = nullptr);
 

@@ -15,7 +15,7 @@
 namespace interlume
 {
 
-std::string UnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataArray* vectors,
+Error UnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataArray* vectors,
   const std::vector<vtkDataArray*>& arrays, const StageProgress& progress)
 {
   static_assert(VTK_TETRA == FirstType && VTK_VOXEL == FirstType + 1 &&
@@ -25,8 +25,7 @@ std::string UnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataArray
   {
     return GetErrorWithoutCells();
   }
-  std::string error = this->BuildCells(grid, vectors, arrays);
-  if (!error.empty())
+  if (Error error = this->BuildCells(grid, vectors, arrays))
   {
     return error;
   }
@@ -35,13 +34,10 @@ std::string UnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataArray
   const std::shared_ptr<const MeshLinks> kept = MeshLinks::Find(key);
   if (this->GetNumberOfFlatCells() == this->GetNumberOfCells())
   {
-    error = GetErrorWithoutCells();
+    return GetErrorWithoutCells();
   }
-  else if (!kept)
-  {
-    error = this->FindCellError(0);
-  }
-  if (!error.empty() || !progress.Reach(0.1))
+  Error error = kept ? Error() : this->FindCellError(0);
+  if (error || !progress.Reach(0.1))
   {
     return error;
   }
@@ -66,7 +62,7 @@ std::string UnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataArray
   const auto mesh = std::make_shared<MeshLinks>();
   const CellPositions positions = this->GetCellPositions();
   error = positions.FindError(this->GetNumberOfCells());
-  if (error.empty() && progress.Reach(0.3))
+  if (!error && progress.Reach(0.3))
   {
     positions.Build(this->GetNumberOfCells(), mesh->Tree);
     if (progress.Reach(0.6))
@@ -79,11 +75,10 @@ std::string UnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataArray
   return error;
 }
 
-std::string UnstructuredFlowField::BuildCells(
+Error UnstructuredFlowField::BuildCells(
   vtkUnstructuredGrid* grid, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays)
 {
-  const std::string error = this->SetArrays(grid, vectors, arrays);
-  if (!error.empty())
+  if (Error error = this->SetArrays(grid, vectors, arrays))
   {
     return error;
   }
@@ -143,7 +138,7 @@ void UnstructuredFlowField::FindOnlyType()
   this->OnlySize = isOnly ? size : 0;
 }
 
-std::string UnstructuredFlowField::FindCellError(vtkIdType first) const
+Error UnstructuredFlowField::FindCellError(vtkIdType first) const
 {
   for (vtkIdType cell = 0; cell < this->GetNumberOfCells(); ++cell)
   {

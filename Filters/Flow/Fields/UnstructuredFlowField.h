@@ -45,7 +45,7 @@ public:
 
   UnstructuredFlowField() = default;
 
-  std::string Build(vtkUnstructuredGrid* grid, vtkDataArray* vectors,
+  Error Build(vtkUnstructuredGrid* grid, vtkDataArray* vectors,
     const std::vector<vtkDataArray*>& arrays = {}, const StageProgress& progress = {});
 
   Place GetPlace(vtkIdType cell) const
@@ -129,11 +129,11 @@ public:
   }
 
 protected:
-  /// Takes the arrays, the cells and what is hidden. Returns what is wrong with the arrays.
-  std::string BuildCells(
+  /// Takes the arrays, the cells and what is hidden. Returns an error if the arrays cannot be used.
+  Error BuildCells(
     vtkUnstructuredGrid* grid, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays);
-  /// Returns what is wrong with the first cell that is; \a first is the number of the first one.
-  std::string FindCellError(vtkIdType first) const;
+  /// Returns an error for the first cell that cannot be used; \a first is the number of cell 0.
+  Error FindCellError(vtkIdType first) const;
   void FindOnlyType();
   CellPositions GetCellPositions() const;
   /// Gives at most eight points of a cell in the order of its type, and returns how many.

@@ -487,7 +487,7 @@ CellRefinement::Result CellRefinement::Refine(vtkUnstructuredGrid* grid)
 {
   Result result;
   ImplicitFlowArrays arrays;
-  if (!arrays.Find(grid).empty())
+  if (arrays.Find(grid))
   {
     return result;
   }

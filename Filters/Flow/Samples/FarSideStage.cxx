@@ -83,7 +83,7 @@ bool FarSideStage::Run(StageContext& context, vtkDataSet* samples, bool findsBou
   ImplicitFlowArrays known;
   std::vector<BeyondCorners::Corner> corners;
   std::vector<BeyondCorners::Pair> pairs;
-  if (known.Find(samples).empty())
+  if (!known.Find(samples))
   {
     corners =
       BeyondCorners::Find(samples, known, context.Options, findsBoundary ? &pairs : nullptr);

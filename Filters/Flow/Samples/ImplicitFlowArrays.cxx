@@ -16,26 +16,25 @@ static_assert(vtkFlowStatus::REACHED_SURFACE == 0, "IsReached compares with 0");
 
 namespace
 {
-// Returns what is wrong with a point array of \a data, or nothing; \a typed is the array as an
-// Array.
+// Finds a point array of \a data, as an Array. Returns an error as CheckArray does.
 template <typename Array>
-std::string FindArray(
-  vtkDataSet* data, const char* name, int components, vtkSmartPointer<Array>& typed)
+Error FindArray(vtkDataSet* data, const char* name, int components, vtkSmartPointer<Array>& typed)
 {
-  const std::string wrong = ImplicitFlowArrays::CheckArray(data, name, components);
-  if (wrong.empty())
+  Error error = ImplicitFlowArrays::CheckArray(data, name, components);
+  if (!error)
   {
     typed = ArrayViews::Get<Array>(data->GetPointData()->GetArray(name));
   }
-  return wrong;
+  return error;
 }
 }
 
-std::string ImplicitFlowArrays::CheckArray(vtkDataSet* data, const char* name, int components)
+Error ImplicitFlowArrays::CheckArray(vtkDataSet* data, const char* name, int components)
 {
-  const std::string wrong =
-    ArrayCheck::MakeSentence(ArrayCheck::FindPointFault(data, "input", name, components));
-  return data->GetPointData()->HasArray(name) ? wrong : wrong + " It is no implicit flow field.";
+  const Error error =
+    ArrayCheck::MakeSentence(ArrayCheck::FindPointError(data, "input", name, components));
+  return data->GetPointData()->HasArray(name) ? error
+                                              : error.Within("", " It is no implicit flow field.");
 }
 
 std::map<int, std::array<bool, 2>> ImplicitFlowArrays::ReadFlags(vtkDataSet* data, const char* name)
@@ -52,26 +51,20 @@ std::map<int, std::array<bool, 2>> ImplicitFlowArrays::ReadFlags(vtkDataSet* dat
   return periodicity;
 }
 
-std::string ImplicitFlowArrays::Find(vtkDataSet* data)
+Error ImplicitFlowArrays::Find(vtkDataSet* data)
 {
-  std::string wrong = FindArray(data, vtkFlowStatus::StatusArray(), 1, this->Statuses);
-  wrong = wrong.empty() ? FindArray(data, vtkFlowStatus::IdArray(), 1, this->Ids) : wrong;
-  wrong =
-    wrong.empty() ? FindArray(data, vtkFlowStatus::ParametersArray(), 2, this->Parameters) : wrong;
-  if (!wrong.empty())
+  const auto findIfThere = [data](const char* name, auto& typed)
+  { return data->GetPointData()->GetArray(name) ? FindArray(data, name, 1, typed) : Error(); };
+  for (const Error& error : { FindArray(data, vtkFlowStatus::StatusArray(), 1, this->Statuses),
+         FindArray(data, vtkFlowStatus::IdArray(), 1, this->Ids),
+         FindArray(data, vtkFlowStatus::ParametersArray(), 2, this->Parameters),
+         findIfThere(vtkFlowStatus::TimeArray(), this->Times),
+         findIfThere(vtkFlowStatus::SideArray(), this->Sides) })
   {
-    return wrong;
-  }
-  const auto has = [data](const char* name) { return data->GetPointData()->GetArray(name); };
-  wrong = has(vtkFlowStatus::TimeArray())
-    ? FindArray(data, vtkFlowStatus::TimeArray(), 1, this->Times)
-    : wrong;
-  wrong = wrong.empty() && has(vtkFlowStatus::SideArray())
-    ? FindArray(data, vtkFlowStatus::SideArray(), 1, this->Sides)
-    : wrong;
-  if (!wrong.empty())
-  {
-    return wrong;
+    if (error)
+    {
+      return error;
+    }
   }
   vtkDataArray* surfaces = data->GetFieldData()->GetArray(vtkFlowStatus::SurfacesArray());
   if (!surfaces || surfaces->GetNumberOfComponents() != 3)

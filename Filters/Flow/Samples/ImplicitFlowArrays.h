@@ -2,6 +2,8 @@
 #ifndef interlume_ImplicitFlowArrays_h
 #define interlume_ImplicitFlowArrays_h
 
+#include "Common/Error.h"
+
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkFlowStatus.h"
 #include "vtkSmartPointer.h"
@@ -9,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <string>
 
 class vtkDataSet;
 
@@ -25,11 +26,11 @@ namespace interlume
 class ImplicitFlowArrays
 {
 public:
-  /// Finds the arrays. Returns what is missing or of the wrong shape, or nothing. TerminationSide
-  /// may be missing, and AdvectionTime too.
-  std::string Find(vtkDataSet* data);
-  /// Returns what is missing or of the wrong shape with one point array, or nothing.
-  static std::string CheckArray(vtkDataSet* data, const char* name, int components);
+  /// Finds the arrays. Returns an error if an array is missing or of the wrong shape.
+  /// TerminationSide may be missing, and AdvectionTime too.
+  Error Find(vtkDataSet* data);
+  /// Returns an error if a point array is missing or of the wrong shape.
+  static Error CheckArray(vtkDataSet* data, const char* name, int components);
 
   bool IsReached(vtkIdType point) const { return this->Statuses->GetValue(point) == 0; }
   int GetStatus(vtkIdType point) const { return this->Statuses->GetValue(point); }

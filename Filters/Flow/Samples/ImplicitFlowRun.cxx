@@ -81,27 +81,26 @@ void ImplicitFlowRun::ReplaceAutomatic(double speed)
   this->Report.MinimumSpeed = this->Options.MinimumSpeed;
 }
 
-std::string ImplicitFlowRun::FindArrays(std::vector<vtkDataArray*>& means) const
+Error ImplicitFlowRun::FindArrays(std::vector<vtkDataArray*>& means) const
 {
   for (const std::string& mean : this->Options.MeanArrays)
   {
-    const std::string wrong = ArrayCheck::FindPointFault(this->Data, "field", mean, 1);
-    if (!wrong.empty())
+    if (Error error = ArrayCheck::FindPointError(this->Data, "field", mean, 1))
     {
-      return "There is no mean: " + wrong + ".";
+      return error.Within("There is no mean: ", ".");
     }
     means.push_back(this->Data->GetPointData()->GetArray(mean.c_str()));
   }
   return {};
 }
 
-std::string ImplicitFlowRun::Execute(vtkDataSet* samples)
+Error ImplicitFlowRun::Execute(vtkDataSet* samples)
 {
   std::vector<vtkDataArray*> means;
   const bool isEmpty = this->Ranks && this->Ranks->IsEmpty();
-  std::string error = isEmpty ? std::string() : this->FindArrays(means);
+  Error error = isEmpty ? Error() : this->FindArrays(means);
   error = this->Ranks ? this->Ranks->GetExchange().FindFirst(error) : error;
-  if (!error.empty())
+  if (error)
   {
     return error;
   }
@@ -120,8 +119,7 @@ std::string ImplicitFlowRun::Execute(vtkDataSet* samples)
   return this->Ranks ? this->ExecuteInRanks(means, samples) : this->ExecuteAlone(means, samples);
 }
 
-std::string ImplicitFlowRun::ExecuteAlone(
-  const std::vector<vtkDataArray*>& means, vtkDataSet* samples)
+Error ImplicitFlowRun::ExecuteAlone(const std::vector<vtkDataArray*>& means, vtkDataSet* samples)
 {
   return FieldDispatch::Execute(
     this->Field, this->Vectors, means,
@@ -152,10 +150,9 @@ std::string ImplicitFlowRun::ExecuteAlone(
     StageProgress(this->Owner, 0.0, FieldDispatch::BuildingPart));
 }
 
-std::string ImplicitFlowRun::ExecuteInRanks(
-  const std::vector<vtkDataArray*>& means, vtkDataSet* samples)
+Error ImplicitFlowRun::ExecuteInRanks(const std::vector<vtkDataArray*>& means, vtkDataSet* samples)
 {
-  std::string error;
+  Error error;
   const std::unique_ptr<RankStreamlines> streamlines =
     RankStreamlines::Make(*this->Ranks, this->Vectors, means, this->Owner, error);
   if (!streamlines)

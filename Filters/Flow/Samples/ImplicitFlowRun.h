@@ -3,12 +3,12 @@
 #define interlume_ImplicitFlowRun_h
 
 #include "Advection/AdvectionOptions.h"
+#include "Common/Error.h"
 
 #include "vtkFlowReport.h"
 #include "vtkSmartPointer.h"
 
 #include <memory>
-#include <string>
 #include <vector>
 
 class vtkAlgorithm;
@@ -47,10 +47,10 @@ public:
   void SetCheckpoint(FlowCheckpoint* checkpoint) { this->Checkpoint = checkpoint; }
 
   /**
-   * Adds the arrays to \a samples. Returns what is wrong, or nothing, as after an abort. The first
-   * part of the progress is building the field.
+   * Adds the arrays to \a samples. Returns an error if the field or the arrays of means cannot be
+   * used; an abort is no error. The first part of the progress is building the field.
    */
-  std::string Execute(vtkDataSet* samples);
+  Error Execute(vtkDataSet* samples);
 
   /// Returns the samples with those of all levels; null without levels, and after an error or an
   /// abort.
@@ -72,8 +72,8 @@ private:
   ///@{
   /// Builds the field and follows all samples: where the process has all of the field, and where
   /// processes have parts.
-  std::string ExecuteAlone(const std::vector<vtkDataArray*>& means, vtkDataSet* samples);
-  std::string ExecuteInRanks(const std::vector<vtkDataArray*>& means, vtkDataSet* samples);
+  Error ExecuteAlone(const std::vector<vtkDataArray*>& means, vtkDataSet* samples);
+  Error ExecuteInRanks(const std::vector<vtkDataArray*>& means, vtkDataSet* samples);
   ///@}
   /// Follows all samples, and those of the levels of refinement, with the checkpoint if there is
   /// one.
@@ -86,7 +86,7 @@ private:
   void Describe(const FieldType& field);
   /// Returns the diagonal of the field's bounds.
   double GetFieldLength() const;
-  std::string FindArrays(std::vector<vtkDataArray*>& means) const;
+  Error FindArrays(std::vector<vtkDataArray*>& means) const;
   void AddSurfaces(vtkDataSet* samples, int domainFaces) const;
 
   vtkAlgorithm* Owner;

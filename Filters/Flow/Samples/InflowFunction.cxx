@@ -29,18 +29,18 @@ enum Variables
   VARIABLE_F
 };
 
-// Keeps the first message of a parser, without where in VTK's source it comes from.
-void KeepMessage(vtkObject*, unsigned long, void* client, void* data)
+// Keeps the first error of a parser, without the place in VTK's source that reports it.
+void KeepError(vtkObject*, unsigned long, void* client, void* data)
 {
-  auto* message = static_cast<std::string*>(client);
-  if (!message->empty())
+  auto& error = *static_cast<Error*>(client);
+  if (error)
   {
     return;
   }
-  const std::string text = static_cast<const char*>(data);
+  std::string text = static_cast<const char*>(data);
   const std::size_t start = text.find("Msg: ");
-  *message = start == std::string::npos ? text : text.substr(start + 5);
-  message->resize(std::min(message->find_first_of("\t\n"), message->size()));
+  text.erase(0, start == std::string::npos ? 0 : start + 5);
+  error = text.substr(0, text.find_first_of("\t\n"));
 }
 
 vtkSmartPointer<vtkExprTkFunctionParser> MakeParser(const std::string& formula)
@@ -56,7 +56,7 @@ vtkSmartPointer<vtkExprTkFunctionParser> MakeParser(const std::string& formula)
 }
 }
 
-std::string InflowFunction::Prepare()
+Error InflowFunction::Prepare()
 {
   switch (this->Kind)
   {
@@ -69,28 +69,28 @@ std::string InflowFunction::Prepare()
   }
 }
 
-std::string InflowFunction::CheckFormula() const
+Error InflowFunction::CheckFormula() const
 {
   if (this->Formula.empty())
   {
     return "The formula is empty.";
   }
   const auto parser = MakeParser(this->Formula);
-  std::string message;
+  Error error;
   vtkNew<vtkCallbackCommand> command;
-  command->SetCallback(KeepMessage);
-  command->SetClientData(&message);
+  command->SetCallback(KeepError);
+  command->SetClientData(&error);
   parser->AddObserver(vtkCommand::ErrorEvent, command);
   const bool isScalar = parser->IsScalarResult();
   const std::string start = "The formula \"" + this->Formula + "\" ";
-  if (!message.empty())
+  if (error)
   {
-    return start + "cannot be read: " + message;
+    return error.Within(start + "cannot be read: ");
   }
-  return isScalar ? std::string() : start + "gives a vector, not a number.";
+  return isScalar ? Error() : start + "gives a vector, not a number.";
 }
 
-std::string InflowFunction::ReadImage()
+Error InflowFunction::ReadImage()
 {
   int dimensions[3];
   this->Image->GetDimensions(dimensions);
@@ -104,11 +104,10 @@ std::string InflowFunction::ReadImage()
     return "The image has three dimensions, " + std::to_string(dimensions[0]) + " x " +
       std::to_string(dimensions[1]) + " x " + std::to_string(dimensions[2]) + "; two are needed.";
   }
-  const std::string wrong = array ? ArrayCheck::FindPointFault(this->Image, array, 0)
-                                  : "the image has no active point scalars";
-  if (!wrong.empty())
+  if (Error error = array ? ArrayCheck::FindPointError(this->Image, array, 0)
+                          : "the image has no active point scalars")
   {
-    return ArrayCheck::MakeSentence(wrong);
+    return ArrayCheck::MakeSentence(error);
   }
   // The image is a plane of any two axes; rows of length 1 are left out by their size.
   this->Size[0] = dimensions[0] > 1 || dimensions[2] == 1 ? dimensions[0] : dimensions[1];

@@ -2,6 +2,8 @@
 #ifndef interlume_InflowFunction_h
 #define interlume_InflowFunction_h
 
+#include "Common/Error.h"
+
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 
@@ -34,12 +36,12 @@ public:
   std::vector<Ring> Rings;
   vtkSmartPointer<vtkImageData> Image;
 
-  /// Prepares the data that evaluators need. Returns what is wrong with the function, or nothing.
-  std::string Prepare();
+  /// Prepares the data that evaluators need. Returns an error if the function cannot be used.
+  Error Prepare();
 
 private:
-  std::string CheckFormula() const;
-  std::string ReadImage();
+  Error CheckFormula() const;
+  Error ReadImage();
 
   friend class InflowEvaluator;
   // The values of the image by rows, and how many there are along u and v.

@@ -102,7 +102,7 @@ void ShareArrays(RankField& field, const Rows& rows, vtkDataSet* samples)
   // Marks need not be in all parts.
   const char* ghosts = vtkDataSetAttributes::GhostArrayName();
   const bool hasGhosts = field.GetExchange().IsAnywhere(from->GetArray(ghosts) != nullptr);
-  std::istringstream known(field.GetExchange().FindFirst(layout.str()) +
+  std::istringstream known(field.GetExchange().FindFirstText(layout.str()) +
     (hasGhosts ? std::to_string(VTK_UNSIGNED_CHAR) + " 1 -1 " + ghosts + "\n" : std::string()));
   int type = 0;
   int components = 0;

@@ -22,7 +22,7 @@ namespace interlume
 bool SamplingCheck::Run(StageContext& context, vtkDataSet* samples)
 {
   ImplicitFlowArrays arrays;
-  if (context.Options.SamplingChecks <= 0 || !arrays.Find(samples).empty())
+  if (context.Options.SamplingChecks <= 0 || arrays.Find(samples))
   {
     return true;
   }

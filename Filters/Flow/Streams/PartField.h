@@ -10,7 +10,6 @@
 #include "Streams/RankField.h"
 
 #include <algorithm>
-#include <string>
 #include <vector>
 
 namespace interlume
@@ -37,7 +36,7 @@ public:
   /// Builds the field as Whole does, of the data of \a part. Its speeds are not known before
   /// SetSpeeds.
   template <typename Data>
-  std::string BuildPart(Data* data, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays,
+  Error BuildPart(Data* data, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays,
     const FieldPart& part)
   {
     for (int axis = 0; axis < 3; ++axis)

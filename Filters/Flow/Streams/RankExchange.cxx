@@ -86,7 +86,15 @@ std::vector<RankExchange::Bytes> RankExchange::Gather(const Bytes& own)
   return gathered;
 }
 
-std::string RankExchange::FindFirst(const std::string& text)
+Error RankExchange::FindFirst(const Error& error)
+{
+  // The first letter is the code.
+  const std::string first = this->FindFirstText(
+    error ? static_cast<char>(error.GetCode()) + error.GetMessage() : std::string());
+  return first.empty() ? Error() : Error(first.substr(1), static_cast<ErrorCode>(first[0]));
+}
+
+std::string RankExchange::FindFirstText(const std::string& text)
 {
   const int own = text.empty() ? this->NumberOfRanks : this->Rank;
   int first = own;

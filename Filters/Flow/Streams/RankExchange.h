@@ -2,6 +2,8 @@
 #ifndef interlume_RankExchange_h
 #define interlume_RankExchange_h
 
+#include "Common/Error.h"
+
 #include "vtkType.h"
 
 #include <functional>
@@ -44,8 +46,10 @@ public:
   bool IsAnywhere(bool here);
   /// Returns the bytes of each process.
   std::vector<Bytes> Gather(const Bytes& own);
-  /// Returns the first process's text that is not empty.
-  std::string FindFirst(const std::string& text);
+  /// Returns the error, code and message, of the first process that has one.
+  Error FindFirst(const Error& error);
+  /// Returns the text of the first process that has one that is not empty.
+  std::string FindFirstText(const std::string& text);
 
   /**
    * Calls work(received, sent) again and again until nobody has anything left to do and all that

@@ -199,7 +199,7 @@ vtkIdType RankField::GetNumberOfCells() const
   return this->FirstCells.empty() ? this->Whole->GetNumberOfCells() : this->FirstCells.back();
 }
 
-std::string RankField::CheckData(vtkDataSet* data) const
+Error RankField::CheckData(vtkDataSet* data) const
 {
   int held[6] = { 0, -1, 0, -1, 0, -1 };
   if (vtkImageData* image = vtkImageData::SafeDownCast(data))
@@ -226,44 +226,46 @@ std::string RankField::CheckData(vtkDataSet* data) const
   return {};
 }
 
-std::string RankField::SetData(vtkDataSet* data, vtkIdType few, bool isOfBlocks)
+Error RankField::SetData(vtkDataSet* data, vtkIdType few, bool isOfBlocks)
 {
   if (vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
     this->Data = WithoutDuplicates(WithoutDuplicateCells(grid));
     this->MakeUnstructuredGrid(few);
-    if (isOfBlocks && this->Obstacle.empty())
+    if (isOfBlocks && !this->PartitionError)
     {
-      this->UniteBlocks();
+      this->PartitionError = this->UniteBlocks();
     }
     this->Part.Whole = this->Whole;
     return {};
   }
-  const std::string wrong = this->Exchange.FindFirst(this->CheckData(data));
-  if (!wrong.empty())
+  if (Error error = this->Exchange.FindFirst(this->CheckData(data)))
   {
-    return wrong;
+    return error;
   }
   this->Data = WithoutDuplicates(data);
   std::copy_n(this->WholeExtent.begin(), 6, this->Part.WholeExtent);
   std::copy_n(
     this->Own[static_cast<std::size_t>(this->Exchange.GetRank())].begin(), 6, this->Part.Own);
-  std::string error;
+  Error error;
   if (vtkStructuredGrid::SafeDownCast(data))
   {
     this->MakeStructuredGrid(data);
   }
+  else if (vtkImageData::SafeDownCast(data))
+  {
+    error = this->MakeImage(data);
+  }
   else
   {
-    error =
-      vtkImageData::SafeDownCast(data) ? this->MakeImage(data) : this->MakeRectilinearGrid(data);
+    this->MakeRectilinearGrid(data);
   }
   this->Part.Whole = this->Whole;
   this->NumberOfPoints = this->Whole->GetNumberOfPoints();
   return this->Exchange.FindFirst(error);
 }
 
-std::string RankField::MakeImage(vtkDataSet* data)
+Error RankField::MakeImage(vtkDataSet* data)
 {
   vtkImageData* image = vtkImageData::SafeDownCast(data);
   const vtkSmartPointer<vtkImageData> whole = vtkSmartPointer<vtkImageData>::New();
@@ -292,7 +294,7 @@ std::string RankField::MakeImage(vtkDataSet* data)
   return {};
 }
 
-std::string RankField::MakeRectilinearGrid(vtkDataSet* data)
+void RankField::MakeRectilinearGrid(vtkDataSet* data)
 {
   vtkRectilinearGrid* grid = vtkRectilinearGrid::SafeDownCast(data);
   const vtkSmartPointer<vtkRectilinearGrid> whole = vtkSmartPointer<vtkRectilinearGrid>::New();
@@ -315,7 +317,6 @@ std::string RankField::MakeRectilinearGrid(vtkDataSet* data)
   whole->SetYCoordinates(coordinates[1]);
   whole->SetZCoordinates(coordinates[2]);
   this->Whole = whole;
-  return {};
 }
 
 std::array<double, 6> RankField::FindBounds()
@@ -365,7 +366,7 @@ void RankField::MakeUnstructuredGrid(vtkIdType few)
   this->Whole = whole;
   if (this->FirstCells.back() == 0)
   {
-    this->Obstacle = "no process has cells";
+    this->PartitionError = "no process has cells";
     return;
   }
   const std::array<double, 6> bounds = this->FindBounds();
@@ -374,7 +375,7 @@ void RankField::MakeUnstructuredGrid(vtkIdType few)
   ends->InsertNextPoint(bounds[0], bounds[2], bounds[4]);
   ends->InsertNextPoint(bounds[1], bounds[3], bounds[5]);
   whole->SetPoints(ends);
-  this->FindObstacle();
+  this->PartitionError = this->FindPartitionError();
   std::vector<vtkIdType> points{ this->Data->GetNumberOfPoints() };
   this->Exchange.Add(points);
   // A point of a mesh is in few processes: where there are many more, they are not looked at.
@@ -396,7 +397,7 @@ void RankField::MakeUnstructuredGrid(vtkIdType few)
   this->NumberOfPoints = points[0];
 }
 
-void RankField::UniteBlocks()
+Error RankField::UniteBlocks()
 {
   vtkPointData* data = this->Data->GetPointData();
   std::vector<vtkDataArray*> arrays;
@@ -423,17 +424,17 @@ void RankField::UniteBlocks()
   {
     own += "; " + name;
   }
-  const std::string first = this->Exchange.FindFirst(own);
+  const std::string first = this->Exchange.FindFirstText(own);
   if (this->Exchange.IsAnywhere(!own.empty() && own != first))
   {
-    this->Obstacle = "blocks of processes differ in arrays or types of numbers";
-    return;
+    return "blocks of processes differ in arrays or types of numbers";
   }
   SharedPoints::TakeFirst(
     positions, arrays, this->IsEmpty() ? 0 : this->Data->GetNumberOfPoints(), this->Exchange);
+  return {};
 }
 
-void RankField::FindObstacle()
+Error RankField::FindPartitionError()
 {
   // The numbers of cells and points, the bounds, and positions in the first and the last cell, of
   // each process.
@@ -465,12 +466,11 @@ void RankField::FindObstacle()
   std::sort(parts.begin(), parts.end());
   if (parts.size() < 2)
   {
-    this->Obstacle = "its source gives all cells to one process";
+    return "its source gives all cells to one process";
   }
-  else if (std::adjacent_find(parts.begin(), parts.end()) != parts.end())
-  {
-    this->Obstacle = "its source gives the same cells to several processes";
-  }
+  return std::adjacent_find(parts.begin(), parts.end()) == parts.end()
+    ? Error()
+    : "its source gives the same cells to several processes";
 }
 
 }

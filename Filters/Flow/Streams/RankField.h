@@ -9,7 +9,6 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
-#include <string>
 #include <vector>
 
 class vtkMultiProcessController;
@@ -48,15 +47,14 @@ public:
   /// Takes the data of this process, which are at least those of GetHeld, without the marks of what
   /// is beyond its own cells. Points are counted as far as it matters: whether they are more than
   /// \a few. \a isOfBlocks: the data are merged blocks, an unstructured grid that nobody else has,
-  /// and get the first process's values where several have a point. Collective. Returns what is
-  /// wrong in any process, or nothing.
-  std::string SetData(vtkDataSet* data, vtkIdType few, bool isOfBlocks = false);
+  /// and get the first process's values where several have a point. Collective. Returns an
+  /// error if the data of any process cannot be used, the same in all processes.
+  Error SetData(vtkDataSet* data, vtkIdType few, bool isOfBlocks = false);
 
   ///@{
-  /// Why the field cannot be in parts, which is seen from the data; nothing if it can. The same in
-  /// all processes.
-  const std::string& GetObstacle() const { return this->Obstacle; }
-  void SetObstacle(const std::string& reason) { this->Obstacle = reason; }
+  /// The error if the data show that the field cannot be in parts. It is the same in all processes.
+  const Error& GetPartitionError() const { return this->PartitionError; }
+  void SetPartitionError(const Error& error) { this->PartitionError = error; }
   ///@}
 
   vtkDataSet* GetData() const { return this->Data; }
@@ -73,13 +71,14 @@ public:
   RankExchange& GetExchange() { return this->Exchange; }
 
 private:
-  std::string CheckData(vtkDataSet* data) const;
-  std::string MakeImage(vtkDataSet* data);
-  std::string MakeRectilinearGrid(vtkDataSet* data);
+  Error CheckData(vtkDataSet* data) const;
+  Error MakeImage(vtkDataSet* data);
+  void MakeRectilinearGrid(vtkDataSet* data);
   void MakeStructuredGrid(vtkDataSet* data);
   void MakeUnstructuredGrid(vtkIdType few);
-  void FindObstacle();
-  void UniteBlocks();
+  Error FindPartitionError();
+  /// Returns an error if the blocks of processes cannot be one grid.
+  Error UniteBlocks();
   /// Returns the bounds of the data of all processes.
   std::array<double, 6> FindBounds();
 
@@ -90,7 +89,7 @@ private:
   /// The first cell of each process in an unstructured grid, and the number of all; else empty.
   std::vector<vtkIdType> FirstCells;
   vtkIdType NumberOfPoints = 0;
-  std::string Obstacle;
+  Error PartitionError;
   vtkSmartPointer<vtkDataSet> Data;
   vtkSmartPointer<vtkDataSet> Whole;
   FieldPart Part;

@@ -96,36 +96,36 @@ public:
   }
 
   template <typename Data>
-  std::string Build(Data* data, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays)
+  Error Build(Data* data, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays)
   {
-    std::string wrong = this->Exchange.FindFirst(
-      this->Shared.BuildPart(data, vectors, arrays, this->Ranks.GetPart()));
+    if (Error error = this->Exchange.FindFirst(
+          this->Shared.BuildPart(data, vectors, arrays, this->Ranks.GetPart())))
+    {
+      return error;
+    }
     if constexpr (IsUnstructured)
     {
-      wrong = wrong.empty() ? this->Shared.Join(this->Exchange) : wrong;
-      if (wrong.empty() && this->Shared.GetInterfaces().IsBetweenRanks)
+      if (Error error = this->Shared.Join(this->Exchange))
       {
-        this->Ranks.SetObstacle("faces of cells do not fit between processes");
+        return error;
+      }
+      if (this->Shared.GetInterfaces().IsBetweenRanks)
+      {
+        this->Ranks.SetPartitionError("faces of cells do not fit between processes");
       }
     }
     else if constexpr (Field::IsSearched)
     {
-      if (wrong.empty())
-      {
-        this->Shared.Join(this->Exchange);
-      }
+      this->Shared.Join(this->Exchange);
     }
-    if (wrong.empty())
-    {
-      SpeedCount speeds = this->Shared.CountOwnSpeeds();
-      speeds.Speeds.Unite([this](std::vector<vtkIdType>& numbers) { this->Exchange.Add(numbers); },
-        [this](std::vector<double>& largest) { this->Exchange.Maximize(largest); });
-      std::vector<vtkIdType> nonFinite{ speeds.NonFinite };
-      this->Exchange.Add(nonFinite);
-      speeds.NonFinite = nonFinite[0];
-      this->Shared.SetSpeeds(speeds);
-    }
-    return wrong;
+    SpeedCount speeds = this->Shared.CountOwnSpeeds();
+    speeds.Speeds.Unite([this](std::vector<vtkIdType>& numbers) { this->Exchange.Add(numbers); },
+      [this](std::vector<double>& largest) { this->Exchange.Maximize(largest); });
+    std::vector<vtkIdType> nonFinite{ speeds.NonFinite };
+    this->Exchange.Add(nonFinite);
+    speeds.NonFinite = nonFinite[0];
+    this->Shared.SetSpeeds(speeds);
+    return {};
   }
 
   int FindDomainFaces() override
@@ -575,7 +575,7 @@ private:
 
 template <typename Walker, typename Data>
 std::unique_ptr<RankStreamlines> MakeOf(RankField& field, Data* data, vtkDataArray* vectors,
-  const std::vector<vtkDataArray*>& arrays, vtkAlgorithm* owner, std::string& error)
+  const std::vector<vtkDataArray*>& arrays, vtkAlgorithm* owner, Error& error)
 {
   auto streamlines = std::make_unique<PartStreamlines<Walker>>(field, owner);
   if (field.IsEmpty())
@@ -589,12 +589,12 @@ std::unique_ptr<RankStreamlines> MakeOf(RankField& field, Data* data, vtkDataArr
   {
     error = streamlines->Build(data, vectors, arrays);
   }
-  return error.empty() && field.GetObstacle().empty() ? std::move(streamlines) : nullptr;
+  return !error && !field.GetPartitionError() ? std::move(streamlines) : nullptr;
 }
 }
 
 std::unique_ptr<RankStreamlines> RankStreamlines::Make(RankField& field, vtkDataArray* vectors,
-  const std::vector<vtkDataArray*>& arrays, vtkAlgorithm* owner, std::string& error)
+  const std::vector<vtkDataArray*>& arrays, vtkAlgorithm* owner, Error& error)
 {
   if (auto* image = vtkImageData::SafeDownCast(field.GetData()))
   {

@@ -2,10 +2,10 @@
 #ifndef interlume_RankStreamlines_h
 #define interlume_RankStreamlines_h
 
+#include "Common/Error.h"
 #include "Streams/Streamlines.h"
 
 #include <memory>
-#include <string>
 #include <vector>
 
 class vtkAlgorithm;
@@ -32,11 +32,10 @@ class RankField;
 class RankStreamlines : public Streamlines
 {
 public:
-  /// Builds the field, whose part \a field has. Collective; \a error is what is wrong in any
-  /// process, and nothing is returned then, nor where \a field cannot be in parts, and has the
-  /// obstacle.
+  /// Builds the field, whose part \a field has. Collective. Returns null after an \a error in any
+  /// process, and if \a field cannot be in parts, and has the PartitionError.
   static std::unique_ptr<RankStreamlines> Make(RankField& field, vtkDataArray* vectors,
-    const std::vector<vtkDataArray*>& arrays, vtkAlgorithm* owner, std::string& error);
+    const std::vector<vtkDataArray*>& arrays, vtkAlgorithm* owner, Error& error);
 
   /// Makes the faces of the domain known to walkers, where they have to be found. Collective.
   /// Returns their number.

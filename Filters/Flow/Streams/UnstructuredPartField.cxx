@@ -34,31 +34,31 @@ int GetType(int shape)
 }
 }
 
-std::string UnstructuredPartField::BuildPart(vtkUnstructuredGrid* grid, vtkDataArray* vectors,
+Error UnstructuredPartField::BuildPart(vtkUnstructuredGrid* grid, vtkDataArray* vectors,
   const std::vector<vtkDataArray*>& arrays, const FieldPart& part)
 {
   this->First = part.FirstCell;
   this->End = part.EndCell;
-  std::string error;
-  if (this->First == this->End)
+  const bool isEmpty = this->First == this->End;
+  if (Error error =
+        isEmpty ? this->SetArrays(grid, vectors, arrays) : this->BuildCells(grid, vectors, arrays))
   {
-    error = this->SetArrays(grid, vectors, arrays);
-  }
-  else
-  {
-    error = this->BuildCells(grid, vectors, arrays);
-    error = error.empty() ? this->FindCellError(this->First) : error;
-    if (error.empty())
-    {
-      this->FindOnlyType();
-      error = this->GetCellPositions().FindError(this->GetNumberOfCells());
-    }
+    return error;
   }
   this->SetBounds(part.Whole->GetBounds());
-  return error;
+  if (isEmpty)
+  {
+    return {};
+  }
+  if (Error error = this->FindCellError(this->First))
+  {
+    return error;
+  }
+  this->FindOnlyType();
+  return this->GetCellPositions().FindError(this->GetNumberOfCells());
 }
 
-std::string UnstructuredPartField::Join(RankExchange& exchange)
+Error UnstructuredPartField::Join(RankExchange& exchange)
 {
   const auto mesh = std::make_shared<MeshLinks>();
   this->GetCellPositions().Build(this->GetNumberOfCells(), mesh->Tree,

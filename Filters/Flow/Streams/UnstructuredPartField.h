@@ -11,7 +11,6 @@
 #include "Streams/RankField.h"
 
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace interlume
@@ -34,12 +33,12 @@ public:
 
   /// Builds the field of the own cells; speeds, links and tree are not known before Join and
   /// SetSpeeds.
-  std::string BuildPart(vtkUnstructuredGrid* grid, vtkDataArray* vectors,
+  Error BuildPart(vtkUnstructuredGrid* grid, vtkDataArray* vectors,
     const std::vector<vtkDataArray*>& arrays, const FieldPart& part);
 
   /// Makes the tree and finds the links, once BuildPart has succeeded in all processes. Collective.
-  /// Returns what is wrong with the whole, or nothing.
-  std::string Join(RankExchange& exchange);
+  /// Returns an error if the whole field cannot be used.
+  Error Join(RankExchange& exchange);
 
   /// Counts the speeds in points such that all processes together count each once.
   SpeedCount CountOwnSpeeds() const;

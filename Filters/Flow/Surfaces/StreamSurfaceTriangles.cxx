@@ -22,9 +22,8 @@ namespace interlume
 
 namespace
 {
-// Reads the triangles of a dataset. Returns what is wrong with it, or nothing.
-std::string GetTriangles(
-  vtkPointSet* input, std::vector<StreamSurfaceTriangles::Triangle>& triangles)
+// Reads the triangles of a dataset. Returns an error if a cell is no triangle.
+Error GetTriangles(vtkPointSet* input, std::vector<StreamSurfaceTriangles::Triangle>& triangles)
 {
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
@@ -165,30 +164,26 @@ StreamSurfaceTriangles::Points StreamSurfaceTriangles::MakeTriangles(vtkCellArra
   return made;
 }
 
-std::string StreamSurfaceTriangles::Read(vtkPointSet* input)
+Error StreamSurfaceTriangles::Read(vtkPointSet* input)
 {
-  std::string wrong = this->Arrays.Find(input);
-  if (wrong.empty())
+  const auto checkInflow = [input]
   {
-    wrong = ImplicitFlowArrays::CheckArray(input, vtkFlowStatus::TimeArray(), 1);
-  }
-  if (!wrong.empty())
-  {
-    return wrong;
-  }
-  wrong = ArrayCheck::FindCellFault(input, "input", vtkFlowStatus::InflowArray(), 1);
-  if (!wrong.empty())
-  {
-    return ArrayCheck::MakeSentence(wrong) + " Stream surfaces of vtkFlowVolume are needed.";
-  }
-  wrong = GetTriangles(input, this->Triangles);
-  if (wrong.empty())
+    return ArrayCheck::MakeSentence(
+      ArrayCheck::FindCellError(input, "input", vtkFlowStatus::InflowArray(), 1))
+      .Within("", " Stream surfaces of vtkFlowVolume are needed.");
+  };
+  Error error =
+    this->Arrays.Find(input)
+      .Then([&] { return ImplicitFlowArrays::CheckArray(input, vtkFlowStatus::TimeArray(), 1); })
+      .Then(checkInflow)
+      .Then([&] { return GetTriangles(input, this->Triangles); });
+  if (!error)
   {
     this->FindLevels(
       input->GetCellData()->GetArray(vtkFlowStatus::InflowArray()), input->GetNumberOfPoints());
     this->Places.resize(input->GetNumberOfPoints());
   }
-  return wrong;
+  return error;
 }
 
 }

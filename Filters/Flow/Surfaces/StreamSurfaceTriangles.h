@@ -2,6 +2,7 @@
 #ifndef interlume_StreamSurfaceTriangles_h
 #define interlume_StreamSurfaceTriangles_h
 
+#include "Common/Error.h"
 #include "Samples/ImplicitFlowArrays.h"
 #include "Surfaces/ContourPlaces.h"
 
@@ -9,7 +10,6 @@
 
 #include <array>
 #include <memory>
-#include <string>
 #include <vector>
 
 class vtkCellArray;
@@ -53,9 +53,9 @@ public:
     vtkIdType Add(vtkIdType source, int contour, double length);
   };
 
-  /// Takes the triangles, the arrays and the levels in use. Returns what is wrong with them, or
-  /// nothing.
-  std::string Read(vtkPointSet* input);
+  /// Takes the triangles, the arrays and the levels in use. Returns an error if they cannot be
+  /// used.
+  Error Read(vtkPointSet* input);
 
   vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->LevelOfPoint.size()); }
   const ImplicitFlowArrays& GetArrays() const { return this->Arrays; }

@@ -64,19 +64,18 @@ void BringToSizeOne(vtkPolygon* polygon)
   }
 }
 
-std::string CheckTexture(vtkPolyData* data)
+Error CheckTexture(vtkPolyData* data)
 {
   vtkDataArray* texture = data->GetPointData()->GetTCoords();
   if (!texture)
   {
     return "the mesh has no texture coordinates: no array is set as its points' TCoords";
   }
-  const std::string wrong = ArrayCheck::FindPointFault(data, texture, 2);
-  return wrong.empty() ? wrong : "the mesh's texture coordinates, " + wrong;
+  return ArrayCheck::FindPointError(data, texture, 2).Within("the mesh's texture coordinates, ");
 }
 }
 
-std::string TerminationTriangles::FindTriangles(vtkPolyData* data, std::vector<Polygon>& polygons)
+Error TerminationTriangles::FindTriangles(vtkPolyData* data, std::vector<Polygon>& polygons)
 {
   vtkNew<vtkPolygon> polygon;
   vtkNew<vtkIdList> cut;
@@ -207,16 +206,13 @@ void TerminationTriangles::Weld(
   }
 }
 
-std::string TerminationTriangles::Take(
-  vtkPolyData* data, double tolerance, const bool isPeriodic[2])
+Error TerminationTriangles::Take(vtkPolyData* data, double tolerance, const bool isPeriodic[2])
 {
   *this = TerminationTriangles();
-  std::string wrong = CheckTexture(data);
   std::vector<Polygon> polygons;
-  wrong = wrong.empty() ? this->FindTriangles(data, polygons) : wrong;
-  if (!wrong.empty())
+  if (Error error = CheckTexture(data).Then([&] { return this->FindTriangles(data, polygons); }))
   {
-    return wrong;
+    return error;
   }
   std::vector<bool> isUsed(data->GetNumberOfPoints(), false);
   for (const Polygon& polygon : polygons)
@@ -257,7 +253,7 @@ std::string TerminationTriangles::Take(
     }
     this->Triangles.push_back(triangle);
   }
-  return this->Triangles.empty() ? "the mesh has no triangle with an area" : std::string();
+  return this->Triangles.empty() ? "the mesh has no triangle with an area" : Error();
 }
 
 }

@@ -2,10 +2,11 @@
 #ifndef interlume_TerminationTriangles_h
 #define interlume_TerminationTriangles_h
 
+#include "Common/Error.h"
+
 #include "vtkType.h"
 
 #include <array>
-#include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -32,10 +33,10 @@ class TerminationTriangles
 public:
   /**
    * Takes the dataset; \a tolerance in parts of the bounds' diagonal. In a periodic direction the
-   * coordinates of a triangle are brought within a half of its first corner's. Returns what is
-   * wrong.
+   * coordinates of a triangle are brought within a half of its first corner's. Returns an error if
+   * the dataset is no surface with texture coordinates.
    */
-  std::string Take(vtkPolyData* data, double tolerance, const bool isPeriodic[2]);
+  Error Take(vtkPolyData* data, double tolerance, const bool isPeriodic[2]);
 
   const glm::dvec3& GetCorner(int triangle, int corner) const
   {
@@ -62,7 +63,7 @@ public:
 private:
   using Polygon = std::array<vtkIdType, 3>;
 
-  std::string FindTriangles(vtkPolyData* data, std::vector<Polygon>& polygons);
+  Error FindTriangles(vtkPolyData* data, std::vector<Polygon>& polygons);
   void Weld(vtkPolyData* data, const std::vector<bool>& isUsed, double tolerance);
 
   /// The vertex of each point, -1 for those not in use.

@@ -50,7 +50,7 @@ void TriangleEdges::Connect(const TerminationTriangles& mesh)
     std::count_if(this->Faces.begin(), this->Faces.end(), [](int faces) { return faces > 2; });
 }
 
-std::string TriangleEdges::OrientPart(
+Error TriangleEdges::OrientPart(
   const TerminationTriangles& mesh, int first, std::vector<signed char>& turns) const
 {
   const auto goesUp = [&mesh](int triangle, int i)
@@ -115,17 +115,15 @@ std::string TriangleEdges::OrientPart(
   return {};
 }
 
-std::string TriangleEdges::Orient(TerminationTriangles& mesh)
+Error TriangleEdges::Orient(TerminationTriangles& mesh)
 {
   const int number = static_cast<int>(mesh.Triangles.size());
   std::vector<signed char> turns(number, -1);
   for (int triangle = 0; triangle < number; ++triangle)
   {
-    std::string wrong =
-      turns[triangle] < 0 ? this->OrientPart(mesh, triangle, turns) : std::string();
-    if (!wrong.empty())
+    if (Error error = turns[triangle] < 0 ? this->OrientPart(mesh, triangle, turns) : Error())
     {
-      return wrong;
+      return error;
     }
   }
   for (int i = 0; i < number; ++i)

@@ -7,7 +7,6 @@
 #include "vtkType.h"
 
 #include <array>
-#include <string>
 #include <vector>
 
 namespace interlume
@@ -30,7 +29,7 @@ public:
    * is turned outward, one with borders to how most of its triangles are, of equal numbers its
    * first. Returns an error for a part that has one side only, as a Moebius strip.
    */
-  std::string Orient(TerminationTriangles& mesh);
+  Error Orient(TerminationTriangles& mesh);
 
   int GetEdge(int triangle, int edge) const { return this->EdgeIds[3 * triangle + edge]; }
   bool IsBorder(int edge) const { return this->Faces[edge] == 1; }
@@ -41,8 +40,9 @@ public:
   vtkIdType NumberOfBranchingEdges = 0;
 
 private:
-  /// Decides for all triangles that hang together with the first whether they are turned.
-  std::string OrientPart(
+  /// Decides for all triangles that hang together with the first whether they are turned. Returns
+  /// an error as Orient does.
+  Error OrientPart(
     const TerminationTriangles& mesh, int first, std::vector<signed char>& turns) const;
 
   /// The three edges of each triangle.

@@ -31,7 +31,7 @@ glm::dvec3 Rotate(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3
 }
 }
 
-std::string TubeAxis::Build(const std::vector<glm::dvec3>& points)
+Error TubeAxis::Build(const std::vector<glm::dvec3>& points)
 {
   this->Segments.clear();
   this->Tree.Build({});

@@ -2,10 +2,10 @@
 #ifndef interlume_TubeAxis_h
 #define interlume_TubeAxis_h
 
+#include "Common/Error.h"
 #include "Termination/AxialFrame.h"
 #include "Termination/BoxTree.h"
 
-#include <string>
 #include <vector>
 
 namespace interlume
@@ -29,10 +29,10 @@ class TubeAxis
 public:
   /**
    * Takes a polyline; it is closed when its last point is the first. Points in the same place as
-   * the one before are left out. Returns what is wrong: a point that is not finite, fewer than two
-   * places, a line that turns back on itself.
+   * the one before are left out. Returns an error if a point is not finite, if there are fewer than
+   * two places, and if the line turns back on itself.
    */
-  std::string Build(const std::vector<glm::dvec3>& points);
+  Error Build(const std::vector<glm::dvec3>& points);
 
   bool IsEmpty() const { return this->Segments.empty(); }
   bool IsClosed() const { return this->Closed; }

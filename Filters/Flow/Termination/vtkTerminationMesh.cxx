@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerminationMesh.h"
 
+#include "Common/Error.h"
 #include "Common/NamedValue.h"
 #include "Common/Vectors.h"
 #include "Termination/TerminationTriangles.h"
@@ -135,15 +136,14 @@ std::string vtkTerminationMesh::Update()
   }
   const bool isPeriodic[2] = { this->PeriodicU, this->PeriodicV };
   std::unique_ptr<Contents> made(new Contents);
-  std::string wrong = made->Triangles.Take(this->Mesh, this->Tolerance, isPeriodic);
-  if (wrong.empty())
+  if (const interlume::Error error = made->Triangles.Take(this->Mesh, this->Tolerance, isPeriodic))
   {
-    made->Edges.Connect(made->Triangles);
-    wrong = made->Edges.Orient(made->Triangles);
+    return error.GetMessage();
   }
-  if (!wrong.empty())
+  made->Edges.Connect(made->Triangles);
+  if (const interlume::Error error = made->Edges.Orient(made->Triangles))
   {
-    return wrong;
+    return error.GetMessage();
   }
   made->Distance.Build(&made->Triangles, made->Edges);
   made->Texture.Build(&made->Triangles, isPeriodic);

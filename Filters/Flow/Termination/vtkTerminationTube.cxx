@@ -84,7 +84,7 @@ std::string vtkTerminationTube::Update()
     std::vector<glm::dvec3> points;
     std::transform(this->Points.begin(), this->Points.end(), std::back_inserter(points),
       [](const auto& point) { return glm::make_vec3(point.data()); });
-    return this->Axis->Build(points);
+    return this->Axis->Build(points).GetMessage();
   }
   const vtkIdType lines = this->Line->GetNumberOfLines();
   if (lines != 1)
@@ -104,7 +104,7 @@ std::string vtkTerminationTube::Update()
     }
     this->Line->GetPoint(ids[i], glm::value_ptr(points[i]));
   }
-  return this->Axis->Build(points);
+  return this->Axis->Build(points).GetMessage();
 }
 
 double vtkTerminationTube::EvaluateDistance(const double x[3]) const

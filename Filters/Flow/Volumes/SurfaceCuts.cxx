@@ -211,7 +211,8 @@ vtkIdType SurfaceCuts::Prepare(vtkDataSet* input, const ImplicitFlowArrays& arra
     return 0;
   }
   this->Arrays = ImplicitFlowArrays();
-  this->Arrays.Find(this->Grid);
+  // The grid has copies of the arrays, which are known to be usable.
+  static_cast<void>(this->Arrays.Find(this->Grid));
   this->Cells.Find(this->Grid, this->Arrays, limits, nullptr, 0.0, 1.0);
   vtkNew<vtkUnsignedCharArray> ghosts;
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());

@@ -38,9 +38,9 @@ vtkDataArray* GetAxis(vtkRectilinearGrid* grid, int axis)
   return axes[axis];
 }
 
-// Returns which of some arrays has fewer tuples than there are \a number things, or an empty
-// string: it would be read past its end.
-std::string FindShortArray(vtkDataSetAttributes* arrays, vtkIdType number, const char* thing)
+// Returns an error if an array has fewer tuples than there are \a number things: it would be read
+// past its end.
+Error FindShortArray(vtkDataSetAttributes* arrays, vtkIdType number, const char* thing)
 {
   for (int a = 0; a < arrays->GetNumberOfArrays(); ++a)
   {
@@ -70,39 +70,36 @@ double FindLeastStep(vtkDataArray* coordinates)
 }
 }
 
-std::string ExtractionInput::CheckScalars(
+Error ExtractionInput::CheckScalars(
   vtkDataSet* input, vtkAbstractArray* array, int association, const std::string& wanted)
 {
   if (!array)
   {
     return "The input has no " + wanted + ".";
   }
-  std::string wrong = ArrayCheck::FindPlaceFault(array, association);
-  wrong = wrong.empty() ? ArrayCheck::FindPointFault(input, array, 1) : wrong;
-  wrong = wrong.empty() ? GridCheck::Find(input) : wrong;
   // Grids of rows are cut in the order of their points.
   int dimensions[3];
   const bool usesIds = !ExtractionArrays::GetRowDimensions(input, dimensions);
-  wrong = wrong.empty() && usesIds ? GlobalIds::FindFault(input) : wrong;
-  wrong = wrong.empty() ? FindShortArray(input->GetPointData(), input->GetNumberOfPoints(), "point")
-                        : wrong;
-  return ArrayCheck::MakeSentence(wrong.empty()
-      ? FindShortArray(input->GetCellData(), input->GetNumberOfCells(), "cell")
-      : wrong);
+  return ArrayCheck::MakeSentence(
+    ArrayCheck::FindAssociationError(array, association)
+      .Then([&] { return ArrayCheck::FindPointError(input, array, 1); })
+      .Then([&] { return GridCheck::FindError(input); })
+      .Then([&] { return usesIds ? GlobalIds::FindError(input) : Error(); })
+      .Then(
+        [&] { return FindShortArray(input->GetPointData(), input->GetNumberOfPoints(), "point"); })
+      .Then(
+        [&] { return FindShortArray(input->GetCellData(), input->GetNumberOfCells(), "cell"); }));
 }
 
-std::string ExtractionInput::CheckIntervals(const std::vector<std::array<double, 2>>& intervals)
+Error ExtractionInput::CheckIntervals(const std::vector<std::array<double, 2>>& intervals)
 {
-  for (std::size_t i = 0; i < intervals.size(); ++i)
+  Error error;
+  for (std::size_t i = 0; !error && i < intervals.size(); ++i)
   {
-    std::string wrong =
-      IntervalCheck::Find("Interval " + std::to_string(i), intervals[i][0], intervals[i][1]);
-    if (!wrong.empty())
-    {
-      return wrong;
-    }
+    error =
+      IntervalCheck::FindError("Interval " + std::to_string(i), intervals[i][0], intervals[i][1]);
   }
-  return std::string();
+  return error;
 }
 
 std::string ExtractionInput::CheckPrecision(vtkDataSet* input, int precision)
@@ -216,10 +213,9 @@ std::vector<std::string> ExtractionInput::GetWarnings(
     warnings.push_back(std::to_string(report.UnsupportedCells) +
       " cells have no linear counterpart and are left out.");
   }
-  for (const std::string& warning :
-    { CheckPolyhedra(report.ConcavePolyhedra), CheckFolding(input, report.FoldedCells),
-      CheckPrecision(input, precision),
-      report.NonFiniteCells > 0 ? NonFinitePoints(input).Describe(input) : std::string() })
+  for (const std::string& warning : { CheckPolyhedra(report.ConcavePolyhedra),
+         CheckFolding(input, report.FoldedCells), CheckPrecision(input, precision),
+         report.NonFiniteCells > 0 ? NonFinitePoints(input).Describe(input) : std::string() })
   {
     if (!warning.empty())
     {

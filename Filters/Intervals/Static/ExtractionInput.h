@@ -2,6 +2,8 @@
 #ifndef interlume_ExtractionInput_h
 #define interlume_ExtractionInput_h
 
+#include "Common/Error.h"
+
 #include "vtkType.h"
 
 #include <array>
@@ -18,21 +20,21 @@ namespace interlume
 
 /**
  * @class   ExtractionInput
- * @brief   says what is wrong with an input
+ * @brief   checks the input of an extraction
  */
 class ExtractionInput
 {
 public:
   /**
-   * Returns why \a array cannot be the scalar of \a input, or how the arrays that \a input is made of
-   * contradict each other, or nothing. \a association is that of the array; \a wanted describes what
-   * was asked for.
+   * Returns an error if \a array cannot be the scalar of \a input, or if the arrays of \a input
+   * contradict each other. \a association is that of the array; \a wanted describes the requested
+   * array.
    */
-  static std::string CheckScalars(
+  static Error CheckScalars(
     vtkDataSet* input, vtkAbstractArray* array, int association, const std::string& wanted);
 
-  /// Returns which of several intervals is the first that is not one, and why, or nothing.
-  static std::string CheckIntervals(const std::vector<std::array<double, 2>>& intervals);
+  /// Returns an error for the first invalid interval.
+  static Error CheckIntervals(const std::vector<std::array<double, 2>>& intervals);
 
   ///@{
   /**

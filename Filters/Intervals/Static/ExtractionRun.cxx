@@ -23,15 +23,13 @@ ExtractionRun::ExtractionRun(
   report = vtkExtractionReport();
 }
 
-vtkDataArray* ExtractionRun::FindScalars(
-  vtkDataSet* input, const std::function<std::string()>& findError)
+vtkDataArray* ExtractionRun::FindScalars(vtkDataSet* input, const std::function<Error()>& findError)
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkAbstractArray* array = this->FindArray(input, association);
-  std::string error = ExtractionInput::CheckScalars(
-    input, array, association, ExtractionInput::DescribeArrayToProcess(this->Owner));
-  error = error.empty() ? findError() : error;
-  if (!error.empty())
+  const std::string wanted = ExtractionInput::DescribeArrayToProcess(this->Owner);
+  if (const Error error =
+        ExtractionInput::CheckScalars(input, array, association, wanted).Then(findError))
   {
     vtkErrorWithObjectMacro(this->Owner, << error);
     this->Empty.NoteMessage();

@@ -2,6 +2,7 @@
 #ifndef interlume_ExtractionRun_h
 #define interlume_ExtractionRun_h
 
+#include "Common/Error.h"
 #include "Static/EmptyResult.h"
 #include "Static/RefinementLevels.h"
 
@@ -32,7 +33,7 @@ public:
 
   /// Returns the scalars of a dataset. Returns null after an error message if they or, by
   /// \a findError, the filter's parameters are invalid.
-  vtkDataArray* FindScalars(vtkDataSet* input, const std::function<std::string()>& findError);
+  vtkDataArray* FindScalars(vtkDataSet* input, const std::function<Error()>& findError);
 
   /// Adds the report of a dataset, and gives its warnings.
   void Add(vtkDataSet* input, int precision, const vtkExtractionReport& report);

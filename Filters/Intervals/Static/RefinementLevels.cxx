@@ -248,7 +248,7 @@ void RefinementLevels::Count(vtkDataObject* input,
     }
     int association;
     vtkDataArray* scalars = vtkDataArray::SafeDownCast(findArray(block.GetImage(), association));
-    if (scalars && ArrayCheck::FindPointFault(block.GetImage(), scalars, 1).empty())
+    if (scalars && !ArrayCheck::FindPointError(block.GetImage(), scalars, 1))
     {
       block.Count(scalars, intervals, report);
     }

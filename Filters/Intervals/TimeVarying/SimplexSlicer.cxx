@@ -46,7 +46,7 @@ struct Chunk : SliceFaces::Chunk
 {
   // The place of the first tetrahedron in the slice.
   vtkIdType First = 0;
-  vtkIdType WrongCell = -1;
+  vtkIdType InvalidCell = -1;
   vtkIdType NonFiniteCells = 0;
 };
 
@@ -183,7 +183,7 @@ public:
       if (types[cell] != VTK_POLY_VERTEX ||
         this->Offsets[cell + 1] - this->Offsets[cell] != SimplexSize)
       {
-        work.Made.WrongCell = cell;
+        work.Made.InvalidCell = cell;
         return;
       }
       // The numbers of vertices of each code, four bits each.
@@ -230,7 +230,7 @@ public:
 
   bool Settle()
   {
-    if (this->FindWrongCell())
+    if (this->FindInvalidCell())
     {
       // There is no slice.
       std::fill(this->Chunks.begin(), this->Chunks.end(), Chunk());
@@ -400,12 +400,12 @@ private:
     }
   }
 
-  bool FindWrongCell()
+  bool FindInvalidCell()
   {
-    const auto wrong = std::find_if(this->Chunks.begin(), this->Chunks.end(),
-      [](const Chunk& chunk) { return chunk.WrongCell >= 0; });
-    this->Slice.WrongCell = wrong == this->Chunks.end() ? -1 : wrong->WrongCell;
-    return this->Slice.WrongCell >= 0;
+    const auto invalid = std::find_if(this->Chunks.begin(), this->Chunks.end(),
+      [](const Chunk& chunk) { return chunk.InvalidCell >= 0; });
+    this->Slice.InvalidCell = invalid == this->Chunks.end() ? -1 : invalid->InvalidCell;
+    return this->Slice.InvalidCell >= 0;
   }
 
   vtkUnstructuredGrid* Grid;

@@ -33,7 +33,7 @@ public:
     ExtractionBuffer<vtkIdType> CellIds;
     /// The first cell that is no VTK_POLY_VERTEX of five points, because of which there is no
     /// slice; -1 for none.
-    vtkIdType WrongCell = -1;
+    vtkIdType InvalidCell = -1;
     /// The number of cells skipped because a time or a coordinate is NaN or infinite.
     vtkIdType NonFiniteCells = 0;
   };

@@ -190,7 +190,7 @@ bool TimeStep::IsOverwritten(vtkDataSet* next, vtkDataArray* scalars) const
     });
 }
 
-std::string TimeStep::FindDifference(const TimeStep& before) const
+Error TimeStep::FindDifference(const TimeStep& before) const
 {
   if (std::strcmp(this->Grid->GetClassName(), before.Grid->GetClassName()) != 0)
   {
@@ -208,8 +208,8 @@ std::string TimeStep::FindDifference(const TimeStep& before) const
   if (this->HasRows)
   {
     return std::equal(this->Dimensions, this->Dimensions + 3, before.Dimensions)
-      ? std::string()
-      : std::string("its dimensions have changed");
+      ? Error()
+      : "its dimensions have changed";
   }
   vtkUnstructuredGrid* now = this->GetUnstructuredGrid();
   vtkUnstructuredGrid* then = before.GetUnstructuredGrid();
@@ -218,7 +218,7 @@ std::string TimeStep::FindDifference(const TimeStep& before) const
       HasSameValues(now->GetCells()->GetOffsetsArray(), then->GetCells()->GetOffsetsArray()) &&
       HasSameValues(
         now->GetCells()->GetConnectivityArray(), then->GetCells()->GetConnectivityArray()));
-  return isSame ? std::string() : std::string("its cells have other points or types");
+  return isSame ? Error() : "its cells have other points or types";
 }
 
 bool TimeStep::HasSamePoints(const TimeStep& other) const

@@ -3,6 +3,7 @@
 #define interlume_TimeStep_h
 
 #include "Common/Blanking.h"
+#include "Common/Error.h"
 #include "Output/ExtractionBuffer.h"
 #include "Pass/ExtractionContext.h"
 #include "Pass/NonFinitePoints.h"
@@ -63,8 +64,8 @@ public:
    */
   bool IsOverwritten(vtkDataSet* next, vtkDataArray* scalars) const;
 
-  /// Returns how the cells of two steps differ, in words, or nothing.
-  std::string FindDifference(const TimeStep& before) const;
+  /// Returns an error if the cells of two steps differ.
+  Error FindDifference(const TimeStep& before) const;
   /// Returns whether the points of two steps are in the same places.
   bool HasSamePoints(const TimeStep& other) const;
 

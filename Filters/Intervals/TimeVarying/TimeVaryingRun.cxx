@@ -69,7 +69,7 @@ void TimeVaryingRun::Warn(const std::string& what)
   }
 }
 
-std::string TimeVaryingRun::CheckScalars(vtkDataSet* input, vtkDataArray*& scalars) const
+Error TimeVaryingRun::CheckScalars(vtkDataSet* input, vtkDataArray*& scalars) const
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkAbstractArray* array = this->FindArray(input, association);
@@ -78,7 +78,7 @@ std::string TimeVaryingRun::CheckScalars(vtkDataSet* input, vtkDataArray*& scala
     input, array, association, ExtractionInput::DescribeArrayToProcess(this->Owner));
 }
 
-std::string TimeVaryingRun::AddStep(vtkDataObject* input, Results& result)
+Error TimeVaryingRun::AddStep(vtkDataObject* input, Results& result)
 {
   result = ABORTED;
   const std::vector<vtkDataSet*> leaves = DataSetLeaves::Get(input);
@@ -100,16 +100,13 @@ std::string TimeVaryingRun::AddStep(vtkDataObject* input, Results& result)
     (this->DescribeStep() + " of " + std::to_string(this->Times.size())).c_str());
   const bool hasSlab =
     this->NextStep > 0 && this->Times[this->NextStep] > this->Times[this->NextStep - 1];
-  std::string wrong;
+  Error error;
   result = DONE;
   for (std::size_t number = 0; number < leaves.size() && result == DONE; ++number)
   {
-    wrong = this->AddLeafStep(leaves[number], *this->Leaves[number], number, result);
+    error = this->AddLeafStep(leaves[number], *this->Leaves[number], number, result);
   }
-  if (!wrong.empty())
-  {
-    wrong = this->DescribeStep() + ": " + wrong;
-  }
+  error = error.Within(this->DescribeStep() + ": ");
   if (this->NextStep > 0 && !hasSlab)
   {
     this->Warn(
@@ -124,7 +121,7 @@ std::string TimeVaryingRun::AddStep(vtkDataObject* input, Results& result)
   this->Report.Slabs += hasSlab;
   ++this->NextStep;
   this->Report.TimeSteps = this->NextStep;
-  return wrong;
+  return error;
 }
 
 void TimeVaryingRun::WarnOfNonFinite(const TimeStep& step, vtkDataSet* input)
@@ -160,7 +157,7 @@ ExtractionContext TimeVaryingRun::MakeContext()
   return context;
 }
 
-std::string TimeVaryingRun::AddLeafStep(
+Error TimeVaryingRun::AddLeafStep(
   vtkDataSet* input, Leaf& leaf, std::size_t number, Results& result)
 {
   result = ABORTED;
@@ -176,10 +173,9 @@ std::string TimeVaryingRun::AddLeafStep(
     return {};
   }
   vtkDataArray* scalars = nullptr;
-  const std::string wrong = this->CheckScalars(input, scalars);
-  if (!wrong.empty())
+  if (Error error = this->CheckScalars(input, scalars))
   {
-    return wrong;
+    return error;
   }
   // The dataset of the first step may have become that of the second; its cells are the same.
   this->Empty.Add(this->NextStep == 1 ? input : nullptr, scalars, 0);
@@ -205,13 +201,9 @@ std::string TimeVaryingRun::AddLeafStep(
   this->Owner->SetProgressShiftScale(
     ExtractionShare * (slab + static_cast<double>(number) / leaves) / slabs,
     ExtractionShare / (slabs * leaves));
-  if (leaf.Before)
+  if (const Error error = leaf.Before ? step->FindDifference(*leaf.Before) : Error())
   {
-    const std::string difference = step->FindDifference(*leaf.Before);
-    if (!difference.empty())
-    {
-      return difference + ". Cells must be the same at all steps.";
-    }
+    return error.Within("", ". Cells must be the same at all steps.");
   }
   if (leaf.Before && step->GetTime() > leaf.Before->GetTime())
   {

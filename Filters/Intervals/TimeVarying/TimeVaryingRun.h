@@ -33,7 +33,7 @@ public:
   enum Results
   {
     DONE,
-    /// The user ended the run, or something is wrong with the input.
+    /// The user ended the run, or there is an error.
     ABORTED,
     /// The input writes each step over the one before, so that the run has to begin anew, with
     /// copies.
@@ -49,8 +49,8 @@ public:
   bool IsFinished() const { return this->NextStep == static_cast<int>(this->Times.size()); }
   double GetNextTime() const { return this->Times[this->NextStep]; }
 
-  /// Takes the next step. Returns what is wrong with it, or nothing.
-  std::string AddStep(vtkDataObject* input, Results& result);
+  /// Takes the next step. Returns an error if it cannot be used.
+  Error AddStep(vtkDataObject* input, Results& result);
 
   /// Fills unstructured grids or composite datasets of the input's structure. Returns false when
   /// the user aborted.
@@ -80,10 +80,10 @@ private:
   };
 
   ExtractionContext MakeContext();
-  std::string AddLeafStep(vtkDataSet* input, Leaf& leaf, std::size_t number, Results& result);
+  Error AddLeafStep(vtkDataSet* input, Leaf& leaf, std::size_t number, Results& result);
   void WarnOfNonFinite(const TimeStep& step, vtkDataSet* input);
   void NoteEmptiness();
-  std::string CheckScalars(vtkDataSet* input, vtkDataArray*& scalars) const;
+  Error CheckScalars(vtkDataSet* input, vtkDataArray*& scalars) const;
   std::string DescribeStep() const;
   // Keeps a warning, unless it is empty or there already.
   void Warn(const std::string& what);

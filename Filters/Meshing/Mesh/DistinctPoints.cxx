@@ -40,7 +40,7 @@ int FindUnit(const std::vector<Place>& places)
 }
 }
 
-std::string DistinctPoints::Take(vtkDataSet* input, const std::vector<bool>& isUsed)
+Error DistinctPoints::Take(vtkDataSet* input, const std::vector<bool>& isUsed)
 {
   std::vector<Place> places;
   const vtkIdType number = input->GetNumberOfPoints();
@@ -54,10 +54,10 @@ std::string DistinctPoints::Take(vtkDataSet* input, const std::vector<bool>& isU
     input->GetPoint(p, place.X.data());
     if (!std::isfinite(place.X[0]) || !std::isfinite(place.X[1]) || !std::isfinite(place.X[2]))
     {
-      std::ostringstream wrong;
-      wrong << "Point " << p << " at (" << place.X[0] << ", " << place.X[1] << ", " << place.X[2]
+      std::ostringstream words;
+      words << "Point " << p << " at (" << place.X[0] << ", " << place.X[1] << ", " << place.X[2]
             << ") is not finite.";
-      return wrong.str();
+      return words.str();
     }
     places.push_back(place);
   }
@@ -94,7 +94,7 @@ std::string DistinctPoints::Take(vtkDataSet* input, const std::vector<bool>& isU
       this->Indices[p] = this->Indices[first[p]];
     }
   }
-  return std::string();
+  return {};
 }
 
 }

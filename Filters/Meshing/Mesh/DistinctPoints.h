@@ -2,9 +2,10 @@
 #ifndef interlume_DistinctPoints_h
 #define interlume_DistinctPoints_h
 
+#include "Common/Error.h"
+
 #include "vtkType.h"
 
-#include <string>
 #include <vector>
 
 class vtkDataSet;
@@ -23,10 +24,10 @@ class DistinctPoints
 {
 public:
   /**
-   * Takes the points marked in \a isUsed. Returns what is wrong: a point that is not finite, or
-   * more points than TetGen can number.
+   * Takes the points marked in \a isUsed. Returns an error if a point is not finite, or if there
+   * are more points than TetGen can number.
    */
-  std::string Take(vtkDataSet* input, const std::vector<bool>& isUsed);
+  Error Take(vtkDataSet* input, const std::vector<bool>& isUsed);
 
   std::vector<double> Coordinates;  ///< three a distinct point, in the unit below
   std::vector<vtkIdType> SourceIds; ///< the input point of each distinct point

@@ -72,13 +72,12 @@ void AddCell(vtkIdType cell, const CellShell& shell, const CellDecomposition& de
 }
 }
 
-std::string Meshers::MeshCells(MeshingJob& job)
+Error Meshers::MeshCells(MeshingJob& job)
 {
   vtkDataSet* input = job.Input;
-  const std::string wrongIds = ArrayCheck::MakeSentence(GlobalIds::FindFault(input));
-  if (!wrongIds.empty())
+  if (Error error = ArrayCheck::MakeSentence(GlobalIds::FindError(input)))
   {
-    return wrongIds;
+    return error;
   }
   const FaceTriangulation triangulation = MakeTriangulation(input);
   vtkUnsignedCharArray* ghosts = input->GetCellGhostArray();
@@ -111,12 +110,11 @@ std::string Meshers::MeshCells(MeshingJob& job)
     }
     ++job.Report.Cells;
     CellShell shell;
-    std::string wrong = shell.Take(input, cell, triangulation);
     CellDecomposition decomposition(shell);
-    wrong = wrong.empty() ? decomposition.Execute(job) : wrong;
-    if (!wrong.empty())
+    if (const Error error =
+          shell.Take(input, cell, triangulation).Then([&] { return decomposition.Execute(job); }))
     {
-      return "Cell " + std::to_string(cell) + " cannot be decomposed: " + wrong + ".";
+      return error.Within("Cell " + std::to_string(cell) + " cannot be decomposed: ", ".");
     }
     AddCell(cell, shell, decomposition, job.Mesh);
   }

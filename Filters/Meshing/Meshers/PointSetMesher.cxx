@@ -79,16 +79,15 @@ void TakeMesh(const TetGenSolution& solution, const TetGenSolution& coarse,
 }
 }
 
-std::string Meshers::MeshPoints(MeshingJob& job)
+Error Meshers::MeshPoints(MeshingJob& job)
 {
   DistinctPoints points;
-  std::string wrong =
-    points.Take(job.Input, std::vector<bool>(job.Input->GetNumberOfPoints(), true));
+  Error error = points.Take(job.Input, std::vector<bool>(job.Input->GetNumberOfPoints(), true));
   job.SetUnit(points.UnitExponent);
   job.Report.MergedPoints = points.NumberOfMerged;
-  if (!wrong.empty() || job.IsCancelled())
+  if (error || job.IsCancelled())
   {
-    return wrong;
+    return error;
   }
   if (points.SourceIds.size() < 4 || IsFlat(points.Coordinates))
   {
@@ -100,17 +99,17 @@ std::string Meshers::MeshPoints(MeshingJob& job)
   problem.Switches = "MJnQ";
   problem.Points = points.Coordinates;
   TetGenSolution coarse;
-  wrong = job.Solve(problem, coarse);
+  error = job.Solve(problem, coarse);
   TetGenSolution refined = coarse;
-  if (wrong.empty() && !job.IsCancelled() && job.IsRefining())
+  if (!error && !job.IsCancelled() && job.IsRefining())
   {
-    wrong = MeshRefinement::Execute(job, MakeHull(job, points, coarse), refined);
+    error = MeshRefinement::Execute(job, MakeHull(job, points, coarse), refined);
   }
-  if (wrong.empty() && !job.IsCancelled())
+  if (!error && !job.IsCancelled())
   {
     TakeMesh(refined, coarse, points.SourceIds, job.Mesh);
   }
-  return wrong;
+  return error;
 }
 
 }

@@ -60,8 +60,8 @@ MeshedPoint PlaceInPatch(
   return best;
 }
 
-/// Returns an error where a patch has no triangles in the solution.
-std::string CheckPatches(const ClosedSurface& surface, const TetGenSolution& solution)
+/// Returns an error if a patch has no triangles in the solution.
+Error CheckPatches(const ClosedSurface& surface, const TetGenSolution& solution)
 {
   std::vector<bool> isMet(surface.NumberOfPatches, false);
   for (int marker : solution.Markers)
@@ -75,32 +75,33 @@ std::string CheckPatches(const ClosedSurface& surface, const TetGenSolution& sol
   {
     if (!isMet[triangle.Patch])
     {
-      return "TetGen failed: cell " + std::to_string(triangle.Cell) +
-        " of the surface is missing in its mesh.";
+      return Error("TetGen failed: cell " + std::to_string(triangle.Cell) +
+          " of the surface is missing in its mesh.",
+        ErrorCode::Process);
     }
   }
-  return std::string();
+  return {};
 }
 
-/// Returns an error that names the input cells that cross others, or nothing.
-std::string CheckCrossings(const ClosedSurface& surface)
+/// Returns an error that names the input cells that cross others.
+Error CheckCrossings(const ClosedSurface& surface)
 {
   constexpr std::size_t most = 8;
   const std::vector<vtkIdType> cells = SurfaceCrossings::FindCells(surface);
   if (cells.empty())
   {
-    return std::string();
+    return {};
   }
-  std::string error = "The surface intersects itself: " + std::to_string(cells.size()) +
+  std::string message = "The surface intersects itself: " + std::to_string(cells.size()) +
     " cells are in intersections,";
   for (std::size_t i = 0; i < std::min(most, cells.size()); ++i)
   {
-    error += " " + std::to_string(cells[i]);
+    message += " " + std::to_string(cells[i]);
   }
-  return error + (cells.size() > most ? ", ..." : ".");
+  return message + (cells.size() > most ? ", ..." : ".");
 }
 
-std::string Fill(MeshingJob& job, const TetGenProblem& problem, TetGenSolution& solution)
+Error Fill(MeshingJob& job, const TetGenProblem& problem, TetGenSolution& solution)
 {
   return job.IsRefining() ? MeshRefinement::Execute(job, problem, solution)
                           : job.Solve(problem, solution);
@@ -168,47 +169,44 @@ void TakeMesh(const ClosedSurface& surface, const TetGenSolution& solution, Mesh
 }
 }
 
-std::string Meshers::MeshSurface(MeshingJob& job)
+Error Meshers::MeshSurface(MeshingJob& job)
 {
   ClosedSurface surface;
-  std::string wrong = surface.Take(job.Input, job.SplitContacts);
+  Error error = surface.Take(job.Input, job.SplitContacts);
   job.Report.SurfaceTriangles = static_cast<vtkIdType>(surface.Triangles.size());
   job.SetUnit(surface.Points.UnitExponent);
   job.Report.SplitTriangles = surface.NumberOfSplitTriangles;
   job.Report.MergedPoints = surface.Points.NumberOfMerged;
-  if (wrong.empty())
+  error = error.Then([&] { return CheckCrossings(surface); });
+  if (error || job.IsCancelled())
   {
-    wrong = CheckCrossings(surface);
-  }
-  if (!wrong.empty() || job.IsCancelled())
-  {
-    return wrong;
+    return error;
   }
   job.SetProgress(0.1);
   TetGenSolution solution;
-  wrong = Fill(job, surface.MakeProblem(job.PreserveBoundary), solution);
-  if (!wrong.empty() && !job.IsCancelled() && !job.TetGen.IsLate() && !job.PreserveBoundary)
+  error = Fill(job, surface.MakeProblem(job.PreserveBoundary), solution);
+  if (error && !job.IsCancelled() && !job.TetGen.IsLate() && !job.PreserveBoundary)
   {
     // TetGen 1.5 can fail on facets that are planar up to rounding. Triangle by triangle, and with
     // its points in another order, it succeeds then.
     TetGenProblem problem = surface.MakeProblem(false);
     problem.Switches = "pMb10JnQ";
-    wrong = Fill(job, problem, solution);
+    error = Fill(job, problem, solution);
   }
-  if (!wrong.empty())
+  if (error)
   {
-    wrong += NameNearCells(surface);
+    return error.Within("", NameNearCells(surface));
   }
-  if (!wrong.empty() || job.IsCancelled())
+  if (job.IsCancelled())
   {
-    return wrong;
+    return {};
   }
-  wrong = CheckPatches(surface, solution);
-  if (wrong.empty())
+  error = CheckPatches(surface, solution);
+  if (!error)
   {
     TakeMesh(surface, solution, job);
   }
-  return wrong;
+  return error;
 }
 
 }

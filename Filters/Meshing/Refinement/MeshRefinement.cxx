@@ -60,10 +60,10 @@ bool IsSound(const MeshMeasures& now, const MeshMeasures& first)
 
 /// Solves \a problem with all bounds, or if TetGen fails, with a bound on the shape that it reaches
 /// more surely. If both fail and there is a \a mesh already, keeps it.
-std::string SolveWithin(MeshingJob& job, const TetGenProblem& problem, TetGenSolution& mesh)
+Error SolveWithin(MeshingJob& job, const TetGenProblem& problem, TetGenSolution& mesh)
 {
   const double quality = job.QualityBound > 0.0 ? job.QualityBound : SureQualityBound;
-  std::string wrong;
+  Error error;
   for (bool isWeaker : { false, true })
   {
     TetGenProblem bounded = problem;
@@ -71,22 +71,22 @@ std::string SolveWithin(MeshingJob& job, const TetGenProblem& problem, TetGenSol
       job.GetRefinementSwitches(isWeaker ? std::max(quality, SureQualityBound) : quality,
         isWeaker ? 0.0 : job.MaximumVolume, job.MaximumNumberOfAddedPoints);
     TetGenSolution solution;
-    wrong = job.Solve(bounded, solution);
+    error = job.Solve(bounded, solution);
     if (job.IsCancelled() || job.TetGen.IsLate())
     {
-      return wrong;
+      return error;
     }
-    if (wrong.empty())
+    if (!error)
     {
       mesh = std::move(solution);
-      return wrong;
+      return error;
     }
   }
-  return mesh.Tetrahedra.empty() ? wrong : std::string();
+  return mesh.Tetrahedra.empty() ? error : Error();
 }
 
 /// Refines \a mesh until the bounds hold or it has \a most points.
-std::string RunPasses(MeshingJob& job, int most, TetGenSolution& mesh)
+Error RunPasses(MeshingJob& job, int most, TetGenSolution& mesh)
 {
   const MeshMeasures first = Measure(job, mesh);
   MeshMeasures best = first;
@@ -112,14 +112,14 @@ std::string RunPasses(MeshingJob& job, int most, TetGenSolution& mesh)
     problem.Triangles = current.Triangles;
     problem.Markers = current.Markers;
     TetGenSolution refined;
-    const std::string wrong = job.Solve(problem, refined);
+    const Error error = job.Solve(problem, refined);
     // A limit of time is not to decide about the result: it is an error.
     if (job.IsCancelled() || job.TetGen.IsLate())
     {
-      return wrong;
+      return error;
     }
     // Where TetGen fails otherwise, the mesh before is good.
-    const bool isSolved = wrong.empty();
+    const bool isSolved = !error;
     const MeshMeasures measures = isSolved ? Measure(job, refined) : first;
     const bool isSound = isSolved && IsSound(measures, first);
     const bool isBetter = isSound && measures.Excess < best.Excess;
@@ -148,22 +148,21 @@ std::string RunPasses(MeshingJob& job, int most, TetGenSolution& mesh)
 }
 }
 
-std::string MeshRefinement::Execute(
-  MeshingJob& job, const TetGenProblem& problem, TetGenSolution& mesh)
+Error MeshRefinement::Execute(MeshingJob& job, const TetGenProblem& problem, TetGenSolution& mesh)
 {
-  std::string wrong = SolveWithin(job, problem, mesh);
-  if (!wrong.empty() || job.IsCancelled())
+  Error error = SolveWithin(job, problem, mesh);
+  if (error || job.IsCancelled())
   {
-    return wrong;
+    return error;
   }
   job.SetProgress(0.3);
   const int most = static_cast<int>(problem.Points.size() / 3) + job.MaximumNumberOfAddedPoints;
-  wrong = RunPasses(job, most, mesh);
-  if (wrong.empty() && !job.IsCancelled() && job.MaximumVolume > 0.0)
+  error = RunPasses(job, most, mesh);
+  if (!error && !job.IsCancelled() && job.MaximumVolume > 0.0)
   {
     VolumeBisection(job, mesh).Execute(most);
   }
-  return wrong;
+  return error;
 }
 
 }

@@ -2,7 +2,7 @@
 #ifndef interlume_MeshRefinement_h
 #define interlume_MeshRefinement_h
 
-#include <string>
+#include "Common/Error.h"
 
 namespace interlume
 {
@@ -27,9 +27,9 @@ class MeshRefinement
 {
 public:
   /// Solves \a problem within the bounds. If TetGen fails, refines \a mesh, or if that is empty, a
-  /// mesh within weaker bounds. Returns why there is no mesh, or that the time is up, or nothing;
-  /// nothing where it was cancelled, too.
-  static std::string Execute(MeshingJob& job, const TetGenProblem& problem, TetGenSolution& mesh);
+  /// mesh within weaker bounds. Returns an error if there is no mesh or the time is up. A canceled
+  /// run has no error.
+  static Error Execute(MeshingJob& job, const TetGenProblem& problem, TetGenSolution& mesh);
 };
 
 }

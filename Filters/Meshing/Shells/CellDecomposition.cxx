@@ -30,33 +30,33 @@ CellDecomposition::CellDecomposition(const CellShell& shell)
 {
 }
 
-std::string CellDecomposition::Execute(MeshingJob& job)
+Error CellDecomposition::Execute(MeshingJob& job)
 {
   if (this->Shell.Triangles.empty() || this->TakeFromPoint())
   {
-    return std::string();
+    return {};
   }
   if (!(this->Shell.Volume > 0.0))
   {
     return "it has no volume";
   }
-  const std::string wrong = this->TakeFromTetGen(job);
+  const Error error = this->TakeFromTetGen(job);
   if (job.IsCancelled())
   {
     this->Tetrahedra.clear();
-    return std::string();
+    return {};
   }
-  if (wrong.empty())
+  if (!error)
   {
     ++job.Report.CellsByTetGen;
-    return std::string();
+    return error;
   }
   if (this->TakeFromCenter())
   {
     ++job.Report.CellsConed;
-    return std::string();
+    return {};
   }
-  return wrong + ", and no point inside sees all its faces";
+  return error.Within("", ", and no point inside sees all its faces");
 }
 
 bool CellDecomposition::TakeFromPoint()
@@ -122,9 +122,9 @@ bool CellDecomposition::HasShell(const TetGenSolution& solution) const
   return outside == expected;
 }
 
-std::string CellDecomposition::TakeFromTetGen(MeshingJob& job)
+Error CellDecomposition::TakeFromTetGen(MeshingJob& job)
 {
-  const std::string unfit = "TetGen's tetrahedra do not fit it";
+  const Error misfit("TetGen's tetrahedra do not fit it", ErrorCode::Process);
   TetGenProblem problem;
   problem.Switches = "pYMJnQ";
   problem.Points = this->Shell.Points;
@@ -135,10 +135,10 @@ std::string CellDecomposition::TakeFromTetGen(MeshingJob& job)
     problem.Markers.push_back(static_cast<int>(problem.Markers.size()) + 1);
   }
   TetGenSolution solution;
-  std::string wrong = job.Solve(problem, solution);
-  if (!wrong.empty() || !this->HasShell(solution))
+  Error error = job.Solve(problem, solution);
+  if (error || !this->HasShell(solution))
   {
-    return wrong.empty() ? unfit : wrong;
+    return error ? error : misfit;
   }
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < solution.Tetrahedra.size(); i += 4)
@@ -154,7 +154,7 @@ std::string CellDecomposition::TakeFromTetGen(MeshingJob& job)
     this->GetLeastShape(glm::value_ptr(center)) > least)
   {
     this->Tetrahedra.clear();
-    return unfit;
+    return misfit;
   }
   this->NewPoints.assign(
     solution.Points.begin() + static_cast<std::ptrdiff_t>(problem.Points.size()),
@@ -163,7 +163,7 @@ std::string CellDecomposition::TakeFromTetGen(MeshingJob& job)
   {
     this->Tetrahedra.clear();
     this->NewPoints.clear();
-    return unfit;
+    return misfit;
   }
   return {};
 }

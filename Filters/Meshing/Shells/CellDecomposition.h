@@ -2,9 +2,10 @@
 #ifndef interlume_CellDecomposition_h
 #define interlume_CellDecomposition_h
 
+#include "Common/Error.h"
 #include "Common/Vectors.h"
+
 #include <array>
-#include <string>
 #include <vector>
 
 namespace interlume
@@ -30,8 +31,8 @@ class CellDecomposition
 public:
   explicit CellDecomposition(const CellShell& shell);
 
-  /// Decomposes the cell. Returns what is wrong, or nothing; cancelled, there are no tetrahedra.
-  std::string Execute(MeshingJob& job);
+  /// Decomposes the cell. A canceled run has no error and no tetrahedra.
+  Error Execute(MeshingJob& job);
 
   /// The corners as indices of points: the shell's, then the new ones.
   std::vector<std::array<int, 4>> Tetrahedra;
@@ -39,8 +40,8 @@ public:
 
 private:
   bool TakeFromPoint();
-  /// Returns why TetGen's tetrahedra cannot be taken, or nothing.
-  std::string TakeFromTetGen(MeshingJob& job);
+  /// Returns an error if TetGen's tetrahedra cannot be used.
+  Error TakeFromTetGen(MeshingJob& job);
   bool TakeFromCenter();
   bool FindCenter(glm::dvec3& center) const;
   bool HasShell(const TetGenSolution& solution) const;

@@ -79,8 +79,7 @@ bool CellShell::IsSupported(int type)
   }
 }
 
-std::string CellShell::Take(
-  vtkDataSet* input, vtkIdType cell, const FaceTriangulation& triangulation)
+Error CellShell::Take(vtkDataSet* input, vtkIdType cell, const FaceTriangulation& triangulation)
 {
   const std::vector<Face> faces = FacesOf(input, cell);
   std::vector<FaceTriangulation::Triangle> triangles;
@@ -143,7 +142,7 @@ std::string CellShell::Take(
   return this->Orient();
 }
 
-std::string CellShell::Orient()
+Error CellShell::Orient()
 {
   using Edge = std::array<int, 2>;
   std::map<Edge, std::vector<std::size_t>> triangles;
@@ -221,7 +220,7 @@ std::string CellShell::Orient()
     }
     this->Volume = -this->Volume;
   }
-  return std::string();
+  return {};
 }
 
 double CellShell::MeasureVolume() const

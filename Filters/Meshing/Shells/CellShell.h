@@ -2,10 +2,11 @@
 #ifndef interlume_CellShell_h
 #define interlume_CellShell_h
 
+#include "Common/Error.h"
+
 #include "vtkType.h"
 
 #include <array>
-#include <string>
 #include <vector>
 
 class vtkDataSet;
@@ -35,9 +36,9 @@ public:
   /// Returns whether cells of a type are taken: linear and of three dimensions.
   static bool IsSupported(int type);
 
-  /// Takes a cell, and returns what is wrong with it or nothing. A cell that collapses entirely
-  /// has no triangles, and nothing is wrong.
-  std::string Take(vtkDataSet* input, vtkIdType cell, const FaceTriangulation& triangulation);
+  /// Takes a cell, or returns an error. A cell that collapses entirely has no triangles and no
+  /// error.
+  Error Take(vtkDataSet* input, vtkIdType cell, const FaceTriangulation& triangulation);
 
   std::vector<vtkIdType> PointIds; ///< ascending in the grid's order of points
   std::vector<double> Points;      ///< three a point
@@ -47,7 +48,7 @@ public:
   const double* GetPoint(int i) const { return &this->Points[3 * i]; }
 
 private:
-  std::string Orient();
+  Error Orient();
   double MeasureVolume() const;
 };
 

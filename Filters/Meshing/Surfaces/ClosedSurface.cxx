@@ -86,7 +86,8 @@ ClosedSurface::ClosedSurface(const DistinctPoints& points, const std::vector<int
   {
     this->Triangles.push_back({ { { triangles[i], triangles[i + 1], triangles[i + 2] } } });
   }
-  this->ConnectEdges();
+  // Closed triangles have no error.
+  static_cast<void>(this->ConnectEdges());
 }
 
 TetGenProblem ClosedSurface::MakeProblem(bool preserveBoundary) const
@@ -103,7 +104,7 @@ TetGenProblem ClosedSurface::MakeProblem(bool preserveBoundary) const
   return problem;
 }
 
-std::string ClosedSurface::Take(vtkDataSet* input, bool splitContacts)
+Error ClosedSurface::Take(vtkDataSet* input, bool splitContacts)
 {
   vtkNew<vtkIdList> ids;
   std::vector<bool> isUsed(input->GetNumberOfPoints(), false);
@@ -123,26 +124,25 @@ std::string ClosedSurface::Take(vtkDataSet* input, bool splitContacts)
       }
     }
   }
-  std::string wrong = this->Points.Take(input, isUsed);
-  wrong = wrong.empty() ? this->AddPolygons(input) : wrong;
-  if (wrong.empty())
+  if (Error error = this->Points.Take(input, isUsed).Then([&] { return this->AddPolygons(input); }))
   {
-    this->DropRepeated();
-    wrong = this->CheckAreas();
+    return error;
   }
-  if (wrong.empty())
+  this->DropRepeated();
+  if (Error error = this->CheckAreas())
   {
-    for (std::size_t i = 0; i < this->Triangles.size(); ++i)
-    {
-      this->Triangles[i].Origin = static_cast<int>(i);
-    }
-    this->InputTriangles = this->Triangles;
-    wrong = this->SplitContacts(FindRounding(input, this->Points), splitContacts);
+    return error;
   }
-  return wrong.empty() ? this->ConnectEdges() : wrong;
+  for (std::size_t i = 0; i < this->Triangles.size(); ++i)
+  {
+    this->Triangles[i].Origin = static_cast<int>(i);
+  }
+  this->InputTriangles = this->Triangles;
+  return this->SplitContacts(FindRounding(input, this->Points), splitContacts)
+    .Then([&] { return this->ConnectEdges(); });
 }
 
-std::string ClosedSurface::AddPolygons(vtkDataSet* input)
+Error ClosedSurface::AddPolygons(vtkDataSet* input)
 {
   const std::vector<double>& x = this->Points.Coordinates;
   const FaceTriangulation triangulation([&x](vtkIdType p) { return glm::make_vec3(&x[3 * p]); },
@@ -175,7 +175,7 @@ std::string ClosedSurface::AddPolygons(vtkDataSet* input)
       }
     }
   }
-  return this->Triangles.empty() ? "The surface has no triangle." : std::string();
+  return this->Triangles.empty() ? "The surface has no triangle." : Error();
 }
 
 void ClosedSurface::DropRepeated()
@@ -238,12 +238,12 @@ void ClosedSurface::MergePoints(const std::map<int, int>& merged)
   this->DropRepeated();
 }
 
-std::string ClosedSurface::SplitContacts(double tolerance, bool splitContacts)
+Error ClosedSurface::SplitContacts(double tolerance, bool splitContacts)
 {
   SurfaceContacts contacts(*this, tolerance);
   if (!contacts.Find())
   {
-    return std::string();
+    return {};
   }
   if (!splitContacts)
   {
@@ -252,9 +252,9 @@ std::string ClosedSurface::SplitContacts(double tolerance, bool splitContacts)
       " touch without common points or edges. Turn SplitContacts on, or make the surfaces share "
       "their points there.";
   }
-  const std::string wrong = contacts.Split();
+  Error error = contacts.Split();
   this->NumberOfSplitTriangles = contacts.GetNumberOfSplitTriangles();
-  return wrong;
+  return error;
 }
 
 glm::dvec3 ClosedSurface::GetNormal(const std::array<int, 3>& points) const
@@ -264,7 +264,7 @@ glm::dvec3 ClosedSurface::GetNormal(const std::array<int, 3>& points) const
     Vectors::Difference(this->GetPoint(points[2]), a));
 }
 
-std::string ClosedSurface::CheckAreas() const
+Error ClosedSurface::CheckAreas() const
 {
   for (const Triangle& triangle : this->Triangles)
   {
@@ -274,7 +274,7 @@ std::string ClosedSurface::CheckAreas() const
         " has a triangle without area: its points lie on a line.";
     }
   }
-  return std::string();
+  return {};
 }
 
 bool ClosedSurface::AreCoplanar(std::size_t triangle, std::size_t other) const
@@ -292,7 +292,7 @@ bool ClosedSurface::AreCoplanar(std::size_t triangle, std::size_t other) const
     });
 }
 
-std::string ClosedSurface::ConnectEdges()
+Error ClosedSurface::ConnectEdges()
 {
   struct Edge
   {
@@ -364,7 +364,7 @@ std::string ClosedSurface::ConnectEdges()
       }
     }
   }
-  return std::string();
+  return {};
 }
 
 }

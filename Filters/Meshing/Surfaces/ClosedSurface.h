@@ -2,6 +2,7 @@
 #ifndef interlume_ClosedSurface_h
 #define interlume_ClosedSurface_h
 
+#include "Common/Error.h"
 #include "Mesh/DistinctPoints.h"
 #include "TetGen/TetGenProblem.h"
 
@@ -40,9 +41,9 @@ public:
   /// Takes closed triangles of \a points.
   ClosedSurface(const DistinctPoints& points, const std::vector<int>& triangles);
 
-  /// Takes the polygons, split at contacts if \a splitContacts. Returns what is wrong, naming the
-  /// cell or point, or nothing.
-  std::string Take(vtkDataSet* input, bool splitContacts);
+  /// Takes the polygons, split at contacts if \a splitContacts. Returns an error that
+  /// names the cell or point.
+  Error Take(vtkDataSet* input, bool splitContacts);
   /// Makes points one: each key of \a merged becomes its value. Drops triangles that collapse.
   void MergePoints(const std::map<int, int>& merged);
 
@@ -61,12 +62,12 @@ public:
   int NumberOfPatches = 0;
 
 private:
-  std::string AddPolygons(vtkDataSet* input);
-  std::string CheckAreas() const;
+  Error AddPolygons(vtkDataSet* input);
+  Error CheckAreas() const;
   void DropRepeated();
-  std::string SplitContacts(double tolerance, bool splitContacts);
+  Error SplitContacts(double tolerance, bool splitContacts);
   /// Checks that every edge has two triangles, and finds the patches.
-  std::string ConnectEdges();
+  Error ConnectEdges();
   bool AreCoplanar(std::size_t triangle, std::size_t other) const;
 
   /// The distance from a plane at which a point is still in it.

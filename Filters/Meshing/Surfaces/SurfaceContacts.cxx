@@ -288,7 +288,7 @@ void SurfaceContacts::AddPart(int t, const std::array<int, 3>& points, int layer
   this->Result.push_back(part);
 }
 
-std::string SurfaceContacts::Split()
+Error SurfaceContacts::Split()
 {
   // Points that become one can bring others near.
   for (int round = 0; round < 4 && !this->Merged.empty(); ++round)
@@ -312,10 +312,9 @@ std::string SurfaceContacts::Split()
       this->PointsOnEdges.count(this->GetEdge(t, 2)) > 0;
     if (isTouched)
     {
-      const std::string wrong = this->SplitTogether(group.second);
-      if (!wrong.empty())
+      if (Error error = this->SplitTogether(group.second))
       {
-        return wrong;
+        return error;
       }
     }
     else
@@ -324,7 +323,7 @@ std::string SurfaceContacts::Split()
     }
   }
   this->Surface.Triangles = std::move(this->Result);
-  return std::string();
+  return {};
 }
 
 void SurfaceContacts::AddCrossings()
@@ -374,7 +373,7 @@ std::vector<int> SurfaceContacts::PointsAlong(const Edge& edge) const
   return points;
 }
 
-std::string SurfaceContacts::SplitTogether(const std::vector<int>& members)
+Error SurfaceContacts::SplitTogether(const std::vector<int>& members)
 {
   const glm::dvec3 normal = glm::abs(this->GetNormal(members.front()));
   const int main = normal.x >= normal.y && normal.x >= normal.z ? 0 : normal.y >= normal.z ? 1 : 2;
@@ -447,7 +446,7 @@ std::string SurfaceContacts::SplitTogether(const std::vector<int>& members)
   const bool isSplit = members.size() > 1 || ids.size() > 3;
   this->NumberOfSplitTriangles += isSplit ? static_cast<vtkIdType>(members.size()) : 0;
   this->TakeCovered(plane, ids, pieces);
-  return std::string();
+  return {};
 }
 
 void SurfaceContacts::TakeCovered(const PlanarTriangulation& plane, const std::vector<int>& ids,

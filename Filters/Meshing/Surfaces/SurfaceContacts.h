@@ -7,7 +7,6 @@
 #include <array>
 #include <map>
 #include <set>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -38,8 +37,8 @@ public:
   /// Returns the input cells of the first contact found.
   const std::array<vtkIdType, 2>& GetFirstCells() const { return this->FirstCells; }
 
-  /// Splits the triangles at contacts. Returns an error message, or an empty string on success.
-  std::string Split();
+  /// Splits the triangles at contacts. Returns an error if one cannot be split.
+  Error Split();
   /// Returns the number of triangles that were split.
   vtkIdType GetNumberOfSplitTriangles() const { return this->NumberOfSplitTriangles; }
 
@@ -61,7 +60,7 @@ private:
   /// Returns the points of an edge from its first to its last.
   std::vector<int> PointsAlong(const Edge& edge) const;
   /// Splits triangles of one plane that overlap, or a single triangle.
-  std::string SplitTogether(const std::vector<int>& members);
+  Error SplitTogether(const std::vector<int>& members);
   /// Takes the triangles that members cover. \a pieces has the members that a piece of an edge
   /// bounds.
   void TakeCovered(const class PlanarTriangulation& plane, const std::vector<int>& ids,

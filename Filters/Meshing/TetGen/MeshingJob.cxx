@@ -64,21 +64,21 @@ int MeshingJob::GetDimension(int cellType)
   return cellType >= 0 && cellType < VTK_NUMBER_OF_CELL_TYPES ? dimensions[cellType] : 0;
 }
 
-std::string MeshingJob::Solve(const TetGenProblem& problem, TetGenSolution& solution)
+Error MeshingJob::Solve(const TetGenProblem& problem, TetGenSolution& solution)
 {
   ++this->Report.TetGenCalls;
-  std::string wrong = this->TetGen.Solve(problem, solution);
-  if (!wrong.empty() || this->IsCancelled())
+  Error error = this->TetGen.Solve(problem, solution);
+  if (error || this->IsCancelled())
   {
-    return wrong;
+    return error;
   }
   // Every mesher relies on this: the points of the problem come first, where they were.
   if (solution.Points.size() < problem.Points.size() ||
     !std::equal(problem.Points.begin(), problem.Points.end(), solution.Points.begin()))
   {
-    wrong = "TetGen failed: it moved or dropped points of the input";
+    error = Error("TetGen failed: it moved or dropped points of the input", ErrorCode::Process);
   }
-  return wrong;
+  return error;
 }
 
 }

@@ -18,7 +18,7 @@ namespace interlume
 
 /**
  * One execution of vtkTetrahedralMesher: its settings, its means, and its results. A mesher fills
- * Mesh, or returns why not; Mesh is of no use when it was cancelled, which is nothing wrong.
+ * Mesh, or returns an error. A canceled job has no error, and Mesh is of no use.
  */
 struct MeshingJob : vtkMeshingSettings
 {
@@ -50,9 +50,9 @@ struct MeshingJob : vtkMeshingSettings
   /// Returns the dimension of cells of a type; 0 for a type that is not known.
   static int GetDimension(int cellType);
 
-  /// Runs TetGen, and counts the call. Returns why there is no solution, or nothing; nothing where
-  /// it was cancelled, too.
-  std::string Solve(const TetGenProblem& problem, TetGenSolution& solution);
+  /// Runs TetGen, and counts the call. Returns an error if there is no solution. A canceled run has
+  /// no error.
+  Error Solve(const TetGenProblem& problem, TetGenSolution& solution);
 };
 
 }

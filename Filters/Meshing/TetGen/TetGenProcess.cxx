@@ -25,6 +25,8 @@ namespace
 {
 /// The number of last bytes of TetGen's output that a message repeats.
 constexpr long OutputTail = 400;
+/// The code of a solution for which TetGen's memory was not enough.
+constexpr int MemoryCode = 1;
 
 /// Returns the path of the worker beside the library that this code is in.
 std::string FindProgram()
@@ -44,7 +46,7 @@ std::string Describe(int code)
 {
   switch (code)
   {
-    case 1:
+    case MemoryCode:
       return "it ran out of memory";
     case 2:
       return "it met an internal error";
@@ -72,8 +74,10 @@ TetGenProcess::~TetGenProcess()
   this->Stop();
 }
 
-std::string TetGenProcess::Spawn(int workerSocket, int outputFile)
+Error TetGenProcess::Spawn(int workerSocket)
 {
+  const int outputFile = ::fileno(this->Output);
+  ::fcntl(outputFile, F_SETFD, FD_CLOEXEC);
   posix_spawn_file_actions_t actions;
   int error = ::posix_spawn_file_actions_init(&actions);
   if (error == 0)
@@ -93,39 +97,32 @@ std::string TetGenProcess::Spawn(int workerSocket, int outputFile)
     return {};
   }
   this->Process = -1;
-  return "cannot start " + this->Program + ": " + std::strerror(error);
+  return Error("cannot start " + this->Program + ": " + std::strerror(error), ErrorCode::Process);
 }
 
-std::string TetGenProcess::Start()
+Error TetGenProcess::Start()
 {
   std::array<int, 2> sockets{ { -1, -1 } };
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets.data()) != 0)
   {
-    return std::string("cannot make a socket: ") + std::strerror(errno);
+    return Error(std::string("cannot make a socket: ") + std::strerror(errno), ErrorCode::Process);
   }
   this->Socket = sockets[0];
   this->Output = std::tmpfile();
-  std::string wrong;
-  if (!this->Output)
-  {
-    wrong = std::string("cannot make a temporary file: ") + std::strerror(errno);
-  }
-  else
-  {
-    ::fcntl(::fileno(this->Output), F_SETFD, FD_CLOEXEC);
-    wrong = this->Spawn(sockets[1], ::fileno(this->Output));
-  }
+  Error error = this->Output
+    ? this->Spawn(sockets[1])
+    : Error(std::string("cannot make a temporary file: ") + std::strerror(errno), ErrorCode::File);
   ::close(sockets[1]);
-  if (!wrong.empty())
+  if (error)
   {
     this->Stop();
   }
-  return wrong;
+  return error;
 }
 
 std::string TetGenProcess::Stop()
 {
-  std::string ending;
+  std::string ending = "it gave no answer that makes sense";
   if (this->Socket >= 0)
   {
     ::close(this->Socket);
@@ -190,14 +187,13 @@ std::string TetGenProcess::GetLastOutput() const
   return line.empty() ? line : "; it said: " + line;
 }
 
-std::string TetGenProcess::Solve(const TetGenProblem& problem, TetGenSolution& solution)
+Error TetGenProcess::Solve(const TetGenProblem& problem, TetGenSolution& solution)
 {
   using Clock = std::chrono::steady_clock;
   this->Late = false;
-  const std::string wrong = this->Socket < 0 ? this->Start() : std::string();
-  if (!wrong.empty())
+  if (Error error = this->Socket < 0 ? this->Start() : Error())
   {
-    return wrong;
+    return error;
   }
   const Clock::time_point start = Clock::now();
   bool cancelled = false;
@@ -220,22 +216,19 @@ std::string TetGenProcess::Solve(const TetGenProblem& problem, TetGenSolution& s
   {
     return {};
   }
-  std::ostringstream failure;
-  failure << "TetGen failed: ";
+  std::ostringstream message;
+  message << "TetGen failed: ";
   if (this->Late)
   {
-    failure << "it was not done after " << this->TimeLimit << " s";
-  }
-  else if (answered)
-  {
-    failure << Describe(solution.Code);
+    message << "it was not done after " << this->TimeLimit << " s";
   }
   else
   {
-    failure << (ending.empty() ? "it gave no answer that makes sense" : ending);
+    message << (answered ? Describe(solution.Code) : ending);
   }
-  failure << said;
-  return failure.str();
+  message << said;
+  return Error(message.str(),
+    answered && solution.Code == MemoryCode ? ErrorCode::OutOfMemory : ErrorCode::Process);
 }
 
 }

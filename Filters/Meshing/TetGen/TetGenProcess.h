@@ -2,6 +2,7 @@
 #ifndef interlume_TetGenProcess_h
 #define interlume_TetGenProcess_h
 
+#include "Common/Error.h"
 #include "TetGen/TetGenProblem.h"
 
 #include <cstdio>
@@ -38,16 +39,15 @@ public:
   /// The longest time for one problem, in seconds; 0 for none.
   double TimeLimit = 0.0;
 
-  /// Runs TetGen. Returns why there is no solution, or nothing; nothing where it was cancelled,
-  /// too.
-  std::string Solve(const TetGenProblem& problem, TetGenSolution& solution);
+  /// Runs TetGen. Returns an error if there is no solution. A canceled run has no error.
+  Error Solve(const TetGenProblem& problem, TetGenSolution& solution);
   /// Returns whether the last problem took longer than TimeLimit.
   bool IsLate() const { return this->Late; }
 
 private:
-  std::string Start();
-  std::string Spawn(int workerSocket, int outputFile);
-  /// Ends the worker, and says how it ended.
+  Error Start();
+  Error Spawn(int workerSocket);
+  /// Ends the worker. Returns how it ended.
   std::string Stop();
   std::string GetLastOutput() const;
 

@@ -34,18 +34,17 @@ void Assign(Value& member, const Value& value, vtkAlgorithm* owner)
 }
 }
 
-std::string FieldSampler::SetTimeRange(
-  double (&range)[2], double first, double last, vtkAlgorithm* owner)
+Error FieldSampler::SetTimeRange(double (&range)[2], double first, double last, vtkAlgorithm* owner)
 {
   if (!std::isfinite(first) || !std::isfinite(last))
   {
-    std::ostringstream error;
-    error << "The time range " << first << " to " << last << " is not finite.";
-    return error.str();
+    std::ostringstream words;
+    words << "The time range " << first << " to " << last << " is not finite.";
+    return words.str();
   }
   Assign(range[0], std::min(first, last), owner);
   Assign(range[1], std::max(first, last), owner);
-  return std::string();
+  return {};
 }
 
 void FieldSampler::SetScalarType(int& member, int type, vtkAlgorithm* owner)
@@ -78,16 +77,16 @@ void FieldSampler::Announce(vtkInformation* output, const int wholeExtent[6]) co
   vtkDataObject::SetPointDataActiveScalarInfo(output, this->ScalarType, 1);
 }
 
-std::string FieldSampler::FindTime(vtkInformation* output, double& time) const
+Error FieldSampler::FindTime(vtkInformation* output, double& time) const
 {
   const auto key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
   time = output->Has(key) ? output->Get(key) : this->TimeRange[0];
-  std::ostringstream error;
+  std::ostringstream words;
   if (!std::isfinite(time))
   {
-    error << "The requested time, " << time << ", is not finite.";
+    words << "The requested time, " << time << ", is not finite.";
   }
-  return error.str();
+  return words.str();
 }
 
 bool FieldSampler::Sample(vtkDataSet* output, const int extent[6], double time, const Field& field,

@@ -2,6 +2,8 @@
 #ifndef interlume_FieldSampler_h
 #define interlume_FieldSampler_h
 
+#include "Common/Error.h"
+
 #include "vtkType.h"
 
 #include <array>
@@ -36,9 +38,8 @@ struct FieldSampler
   int ScalarType;
   const char* ArrayName;
 
-  /// Sets the range in ascending order. Returns an error message, or an empty string on success.
-  static std::string SetTimeRange(
-    double (&range)[2], double first, double last, vtkAlgorithm* owner);
+  /// Sets the range in ascending order. Returns an error if it is not finite.
+  static Error SetTimeRange(double (&range)[2], double first, double last, vtkAlgorithm* owner);
   /// Sets VTK_DOUBLE, or VTK_FLOAT for any other type.
   static void SetScalarType(int& member, int type, vtkAlgorithm* owner);
   /// Sets the name, or the default for a null or empty one.
@@ -48,9 +49,8 @@ struct FieldSampler
   /// Adds the whole extent, the time steps and the array to the pipeline's information.
   void Announce(vtkInformation* output, const int wholeExtent[6]) const;
 
-  /// Finds the requested time, or the first time step. Returns an error message, or an empty string
-  /// on success.
-  std::string FindTime(vtkInformation* output, double& time) const;
+  /// Finds the requested time, or the first time step. Returns an error if it is not finite.
+  Error FindTime(vtkInformation* output, double& time) const;
 
   /**
    * Adds the array with the field's values at the points of \a output, whose extent is \a extent,

@@ -2,6 +2,7 @@
 #include "vtkSpatialImage.h"
 
 #include "Common/ArrayCheck.h"
+#include "Common/Error.h"
 #include "Common/NamedValue.h"
 #include "Sampling/PartPrinter.h"
 
@@ -75,7 +76,7 @@ vtkMTimeType vtkSpatialImage::GetMTime()
   return this->Image ? std::max(own, this->Image->GetMTime()) : own;
 }
 
-std::string vtkSpatialImage::CopyValues()
+interlume::Error vtkSpatialImage::CopyValues()
 {
   vtkDataArray* scalars = this->Image ? this->Image->GetPointData()->GetScalars() : nullptr;
   if (!scalars || scalars->GetNumberOfTuples() < 1)
@@ -91,23 +92,22 @@ std::string vtkSpatialImage::CopyValues()
       ? 0.0f
       : static_cast<float>(std::max(-LargestDensity, std::min(density, LargestDensity)));
   }
-  return "";
+  return {};
 }
 
-std::string vtkSpatialImage::CopyColors()
+interlume::Error vtkSpatialImage::CopyColors()
 {
   this->Colors.clear();
   if (this->ColorArrayName.empty())
   {
-    return "";
+    return {};
   }
   vtkDataArray* colors = this->Image->GetPointData()->GetArray(this->ColorArrayName.c_str());
   const bool hasMore = colors && colors->GetNumberOfComponents() > 3;
-  const std::string wrong = interlume::ArrayCheck::FindPointFault(
-    this->Image, "image", this->ColorArrayName, hasMore ? 0 : 3);
-  if (!wrong.empty())
+  if (const interlume::Error error = interlume::ArrayCheck::FindPointError(
+        this->Image, "image", this->ColorArrayName, hasMore ? 0 : 3))
   {
-    return interlume::ArrayCheck::MakeSentence(wrong);
+    return interlume::ArrayCheck::MakeSentence(error);
   }
   const double scale = colors->GetDataType() == VTK_UNSIGNED_CHAR ? 1.0 / 255.0 : 1.0;
   for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
@@ -118,23 +118,19 @@ std::string vtkSpatialImage::CopyColors()
       this->Colors.push_back(static_cast<float>(vtkMath::ClampValue(color, 0.0, 1.0)));
     }
   }
-  return "";
+  return {};
 }
 
 std::string vtkSpatialImage::Prepare(double bounds[6])
 {
-  std::string problem = this->CopyValues();
-  if (problem.empty())
-  {
-    problem = this->CopyColors();
-  }
-  if (problem.empty())
+  const interlume::Error error = this->CopyValues().Then([this] { return this->CopyColors(); });
+  if (!error)
   {
     this->Image->GetExtent(this->Extent);
     vtkMatrix4x4::DeepCopy(this->PhysicalToIndex, this->Image->GetPhysicalToIndexMatrix());
     this->Image->GetBounds(bounds);
   }
-  return problem;
+  return error.GetMessage();
 }
 
 bool vtkSpatialImage::Locate(const double x[3], vtkIdType corners[8], double weights[8]) const

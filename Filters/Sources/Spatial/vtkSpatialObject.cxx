@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpatialObject.h"
 
+#include "Common/Error.h"
 #include "Common/Vectors.h"
 #include "Sampling/PartPrinter.h"
 
@@ -77,13 +78,13 @@ std::string vtkSpatialObject::Update()
       " is not finite, or has no inverse, or is no affine one.";
   }
   double local[6];
-  std::string problem = this->Prepare(local);
-  if (problem.empty())
+  std::string error = this->Prepare(local);
+  if (error.empty())
   {
     this->PrepareBounds(local, matrix);
     this->UpdateTime.Modified();
   }
-  return problem;
+  return error;
 }
 
 bool vtkSpatialObject::PrepareTransform(double matrix[12])
@@ -149,10 +150,9 @@ void vtkSpatialObject::PrepareBounds(const double local[6], const double matrix[
 
 bool vtkSpatialObject::GetBounds(double bounds[6])
 {
-  const std::string problem = this->Update();
-  if (!problem.empty())
+  if (const interlume::Error error = this->Update())
   {
-    vtkErrorMacro(<< problem);
+    vtkErrorMacro(<< error);
     return false;
   }
   std::copy_n(this->Bounds, 6, bounds);
@@ -162,10 +162,9 @@ bool vtkSpatialObject::GetBounds(double bounds[6])
 void vtkSpatialObject::Evaluate(const double x[3], Sample& sample)
 {
   sample = Sample();
-  const std::string problem = this->Update();
-  if (!problem.empty())
+  if (const interlume::Error error = this->Update())
   {
-    vtkErrorMacro(<< problem);
+    vtkErrorMacro(<< error);
     return;
   }
   const double points[1][3] = { { x[0], x[1], x[2] } };

@@ -70,10 +70,10 @@ std::string vtkSpatialOperation::Prepare(double bounds[6])
   }
   for (std::size_t i = 0; i < this->Operands.size(); ++i)
   {
-    std::string problem = this->Operands[i]->Update();
-    if (!problem.empty())
+    std::string error = this->Operands[i]->Update();
+    if (!error.empty())
     {
-      return problem;
+      return error;
     }
     double box[6];
     this->Operands[i]->GetBounds(box);

@@ -105,8 +105,8 @@ std::string vtkSpatialTurbulence::Prepare(double bounds[6])
   {
     return "A spatial turbulence has no operand.";
   }
-  std::string problem = this->Operand->Update();
-  if (problem.empty())
+  std::string error = this->Operand->Update();
+  if (error.empty())
   {
     this->Operand->GetBounds(bounds);
     const double largest = this->Sum == vtkTurbulenceSource::NOISE
@@ -122,7 +122,7 @@ std::string vtkSpatialTurbulence::Prepare(double bounds[6])
       bounds[side] += !moves ? 0.0 : (isLower ? -reach : reach);
     }
   }
-  return problem;
+  return error;
 }
 
 double vtkSpatialTurbulence::GetNoise(

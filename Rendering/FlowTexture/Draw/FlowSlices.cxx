@@ -95,12 +95,12 @@ void FlowSlices::Set()
   this->Volume->SetUserMatrix(this->Picture->Volume->GetMatrix());
 }
 
-std::string FlowSlices::Draw(FlowPicture& picture, const FlowScene& scene, FlowTextures& textures)
+Error FlowSlices::Draw(FlowPicture& picture, const FlowScene& scene, FlowTextures& textures)
 {
   this->Picture = &picture;
   this->Scene = &scene;
   this->Textures = &textures;
-  this->Fault.clear();
+  this->Reported = {};
   picture.Parts.IsMatter = true;
   if (this->ReachedVersion != scene.GridVersion)
   {
@@ -121,7 +121,7 @@ std::string FlowSlices::Draw(FlowPicture& picture, const FlowScene& scene, FlowT
   report.LightBuffers = drawn.LightBuffers;
   report.LightBufferSize = drawn.LightBufferSize;
   report.LightBufferBytes = drawn.LightBufferBytes;
-  return this->Fault;
+  return this->Reported;
 }
 
 std::string FlowSlices::GetSource() const

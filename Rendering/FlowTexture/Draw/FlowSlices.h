@@ -2,6 +2,8 @@
 #ifndef interlume_FlowSlices_h
 #define interlume_FlowSlices_h
 
+#include "Common/Error.h"
+
 #include "vtkNew.h"
 #include "vtkSliceMatter.h"
 #include "vtkType.h"
@@ -38,14 +40,15 @@ public:
   /// ShadowAttenuation above 0.
   static bool IsAsked(vtkRenderer* renderer);
 
-  /// Draws a picture, whose textures are kept. Returns what is wrong, or nothing.
-  std::string Draw(FlowPicture& picture, const FlowScene& scene, FlowTextures& textures);
+  /// Draws an image, whose textures have been sent. Returns the errors and warnings that the mapper
+  /// of slices reports.
+  Error Draw(FlowPicture& picture, const FlowScene& scene, FlowTextures& textures);
 
   std::string GetSource() const override;
   bool HasReflection() const override;
   void Activate(vtkShaderProgram* program) override;
   void Deactivate() override;
-  void ReportFault(const std::string& text) override { this->Fault = text; }
+  void ReportFault(const std::string& text) override { this->Reported = text; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -57,7 +60,7 @@ private:
   vtkMTimeType ReachedVersion = 0;
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkShadowedSliceMapper> Mapper;
-  std::string Fault;
+  Error Reported;
   /// What is being drawn.
   FlowPicture* Picture = nullptr;
   const FlowScene* Scene = nullptr;

@@ -119,7 +119,7 @@ void KeepPaints(FlowPicture& picture, FlowScene& scene, FlowTextures& textures)
       [&]
       {
         FlowTextures::Source source;
-        source.Fault = texels.Build(image, dimensions);
+        source.Error = texels.Build(image, dimensions);
         source.Size = texels.Size;
         source.Components = 4;
         source.Type = VTK_UNSIGNED_SHORT;
@@ -221,17 +221,17 @@ void KeepArrays(FlowPicture& picture, const FlowScene& scene, FlowTextures& text
 }
 }
 
-std::string FlowSources::Keep(FlowPicture& picture, FlowScene& scene, FlowTextures& textures)
+Error FlowSources::Keep(FlowPicture& picture, FlowScene& scene, FlowTextures& textures)
 {
   textures.Begin(picture.Window);
   KeepGrid(picture, scene, textures);
   KeepPaints(picture, scene, textures);
   KeepArrays(picture, scene, textures);
-  const std::string error = textures.Finish();
+  Error error = textures.Finish();
   picture.Report.UploadedBytes = textures.GetSentBytes();
   picture.Report.Textures = textures.GetNumber();
   picture.Report.TextureBytes = textures.GetBytes();
-  if (!error.empty())
+  if (error)
   {
     return error;
   }
@@ -239,14 +239,16 @@ std::string FlowSources::Keep(FlowPicture& picture, FlowScene& scene, FlowTextur
   glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
   if (textures.GetNumber() + 1 > units)
   {
-    return "the picture needs " + std::to_string(textures.GetNumber() + 1) +
-      " textures, and a shader here has at most " + std::to_string(units);
+    return { "the picture needs " + std::to_string(textures.GetNumber() + 1) +
+        " textures, and a shader here has at most " + std::to_string(units),
+      ErrorCode::OpenGL };
   }
   const vtkIdType most = picture.Mapper.GetMaximumTextureMemory();
   if (most > 0 && textures.GetBytes() > most)
   {
-    return "textures of the picture take " + std::to_string(textures.GetBytes()) +
-      " bytes, and MaximumTextureMemory is " + std::to_string(most);
+    return { "textures of the picture take " + std::to_string(textures.GetBytes()) +
+        " bytes, and MaximumTextureMemory is " + std::to_string(most),
+      ErrorCode::OutOfMemory };
   }
   return {};
 }

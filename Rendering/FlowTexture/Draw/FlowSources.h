@@ -2,7 +2,7 @@
 #ifndef interlume_FlowSources_h
 #define interlume_FlowSources_h
 
-#include <string>
+#include "Common/Error.h"
 
 namespace interlume
 {
@@ -18,9 +18,10 @@ namespace FlowSources
 {
 /**
  * Keeps the textures of an image, and no others. Sets their sizes and ranges in \a picture, and
- * what was sent in its report. Returns an error message, or an empty string on success.
+ * what was sent in its report. Returns an error if a texture cannot be made, or they are too many
+ * or too large.
  */
-std::string Keep(FlowPicture& picture, FlowScene& scene, FlowTextures& textures);
+Error Keep(FlowPicture& picture, FlowScene& scene, FlowTextures& textures);
 }
 
 }

@@ -35,14 +35,14 @@ void FlowTextures::Begin(vtkOpenGLRenderWindow* window)
 {
   this->Window = window;
   this->SentBytes = 0;
-  this->Error.clear();
+  this->FirstError = {};
   for (auto& [name, texture] : this->Textures)
   {
     texture.IsUsed = false;
   }
 }
 
-const std::string& FlowTextures::Finish()
+Error FlowTextures::Finish()
 {
   for (auto it = this->Textures.begin(); it != this->Textures.end();)
   {
@@ -57,13 +57,13 @@ const std::string& FlowTextures::Finish()
     }
     it = this->Textures.erase(it);
   }
-  return this->Error;
+  return this->FirstError;
 }
 
 void FlowTextures::Keep(const std::string& name, const std::string& title, bool isVolume,
   const Stamp& stamp, const std::function<Source()>& make, int& count)
 {
-  if (!this->Error.empty())
+  if (this->FirstError)
   {
     return;
   }
@@ -74,10 +74,9 @@ void FlowTextures::Keep(const std::string& name, const std::string& title, bool 
     return;
   }
   texture.Made = {};
-  const std::string error = this->Send(isVolume, texture, make());
-  if (!error.empty())
+  this->FirstError = this->Send(isVolume, texture, make()).Within(title + " ");
+  if (this->FirstError)
   {
-    this->Error = title + " " + error;
     return;
   }
   texture.Made = stamp;
@@ -85,19 +84,20 @@ void FlowTextures::Keep(const std::string& name, const std::string& title, bool 
   this->SentBytes += texture.Bytes;
 }
 
-std::string FlowTextures::Send(bool isVolume, Texture& texture, const Source& source)
+Error FlowTextures::Send(bool isVolume, Texture& texture, const Source& source)
 {
-  if (!source.Fault.empty())
+  if (source.Error)
   {
-    return source.Fault;
+    return source.Error;
   }
   GLint limit = 0;
   glGetIntegerv(isVolume ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &limit);
   const int largest = *std::max_element(source.Size.begin(), source.Size.end());
   if (largest > limit)
   {
-    return "has " + std::to_string(largest) + " texels along an axis, and textures here at most " +
-      std::to_string(limit);
+    return { "has " + std::to_string(largest) +
+        " texels along an axis, and textures here at most " + std::to_string(limit),
+      ErrorCode::OpenGL };
   }
   MakeObject(texture.Object, isVolume ? GL_TEXTURE_3D : GL_TEXTURE_2D, this->Window);
   vtkTextureObject* object = texture.Object;
@@ -131,8 +131,9 @@ std::string FlowTextures::Send(bool isVolume, Texture& texture, const Source& so
   {
     object->ReleaseGraphicsResources(this->Window);
     texture.Object = nullptr;
-    return "takes " + std::to_string(texture.Bytes) +
-      " bytes, for which the graphics card has no memory";
+    return { "takes " + std::to_string(texture.Bytes) +
+        " bytes, for which the graphics card has no memory",
+      ErrorCode::OutOfMemory };
   }
   return {};
 }

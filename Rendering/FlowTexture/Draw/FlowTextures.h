@@ -2,6 +2,8 @@
 #ifndef interlume_FlowTextures_h
 #define interlume_FlowTextures_h
 
+#include "Common/Error.h"
+
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -35,8 +37,8 @@ public:
     /// VTK_FLOAT or VTK_UNSIGNED_SHORT.
     int Type = VTK_FLOAT;
     const void* Values = nullptr;
-    /// Why there is nothing to send; empty where there is.
-    std::string Fault;
+    /// Set if there is nothing to send.
+    interlume::Error Error;
     /// Whether it is interpolated, goes on beyond its ends, and has levels of detail.
     bool IsSmooth = false;
     bool IsRepeated = false;
@@ -65,8 +67,8 @@ public:
    */
   void Keep(const std::string& name, const std::string& title, bool isVolume, const Stamp& stamp,
     const std::function<Source()>& make, int& count);
-  /// Returns the message of the first error since Begin, or an empty string.
-  const std::string& Finish();
+  /// Returns the first error since Begin.
+  Error Finish();
 
   /// Returns the bytes sent since Begin.
   vtkIdType GetSentBytes() const { return this->SentBytes; }
@@ -88,11 +90,11 @@ private:
     bool IsUsed = false;
   };
 
-  std::string Send(bool isVolume, Texture& texture, const Source& source);
+  Error Send(bool isVolume, Texture& texture, const Source& source);
 
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkIdType SentBytes = 0;
-  std::string Error;
+  Error FirstError;
   std::map<std::string, Texture> Textures;
   std::vector<vtkTextureObject*> Active;
 };

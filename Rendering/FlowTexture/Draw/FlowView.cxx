@@ -27,7 +27,7 @@ glm::dmat4 FromRows(vtkMatrix4x4* matrix)
 }
 }
 
-std::string FlowView::Set(vtkRenderer* renderer, vtkImageData* image, vtkMatrix4x4* worldFromVolume,
+Error FlowView::Set(vtkRenderer* renderer, vtkImageData* image, vtkMatrix4x4* worldFromVolume,
   vtkVolumeMapper* mapper)
 {
   *this = FlowView();
@@ -107,7 +107,7 @@ void FlowView::SetRays(const glm::dmat4& voxelsFromClip, bool isParallel, const 
   this->OriginY += this->Middle * this->DirectionY;
 }
 
-std::string FlowView::SetClipping(vtkPlaneCollection* planes)
+Error FlowView::SetClipping(vtkPlaneCollection* planes)
 {
   for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
   {

@@ -2,10 +2,10 @@
 #ifndef interlume_FlowView_h
 #define interlume_FlowView_h
 
+#include "Common/Error.h"
 #include "Offscreen/CroppingRegions.h"
 
 #include <array>
-#include <string>
 #include <vector>
 
 #include <glm/mat3x3.hpp>
@@ -34,9 +34,9 @@ namespace interlume
 class FlowView
 {
 public:
-  /// Finds all of it, cut by the planes and the cropping of \a mapper. Returns an error message, or
-  /// an empty string on success.
-  std::string Set(vtkRenderer* renderer, vtkImageData* image, vtkMatrix4x4* worldFromVolume,
+  /// Computes all of it, cut by the planes and the cropping of \a mapper. Returns an error if a
+  /// matrix or a clipping plane is not valid.
+  Error Set(vtkRenderer* renderer, vtkImageData* image, vtkMatrix4x4* worldFromVolume,
     vtkVolumeMapper* mapper);
 
   bool IsParallel = false;
@@ -66,7 +66,7 @@ public:
 
 private:
   void SetRays(const glm::dmat4& voxelsFromClip, bool isParallel, const glm::dvec3& middle);
-  std::string SetClipping(vtkPlaneCollection* planes);
+  Error SetClipping(vtkPlaneCollection* planes);
   void SetCropping(vtkVolumeMapper* mapper);
 };
 

@@ -59,7 +59,7 @@ FlowVolumeRenderer::FlowVolumeRenderer() = default;
 
 FlowVolumeRenderer::~FlowVolumeRenderer() = default;
 
-std::string FlowVolumeRenderer::UpdateGrid(vtkImageData* image)
+Error FlowVolumeRenderer::UpdateGrid(vtkImageData* image)
 {
   const std::pair<const void*, vtkMTimeType> stamp(image, image->GetMTime());
   if (this->GridStamp != stamp)
@@ -71,62 +71,59 @@ std::string FlowVolumeRenderer::UpdateGrid(vtkImageData* image)
   return this->GridError;
 }
 
-std::string FlowVolumeRenderer::FindArrays(FlowPicture& picture)
+Error FlowVolumeRenderer::FindArrays(FlowPicture& picture)
 {
   vtkImplicitFlowVolumeMapper& mapper = picture.Mapper;
-  const auto find = [&](const std::string& name, vtkDataArray*& array) -> std::string
+  const auto find = [&](const char* name, vtkDataArray*& array)
   {
-    std::string fault = ArrayCheck::FindPointFault(picture.Image, "input", name, 0);
-    array = fault.empty() ? picture.Image->GetPointData()->GetArray(name.c_str()) : nullptr;
-    return fault;
+    array = picture.Image->GetPointData()->GetArray(name);
+    return ArrayCheck::FindPointError(picture.Image, "input", name, 0);
   };
-  std::string fault;
   FlowShader::Parts& parts = picture.Parts;
   if (*mapper.GetOpacityArray())
   {
-    fault = find(mapper.GetOpacityArray(), picture.OpacityValues);
-    if (fault.empty() && picture.OpacityValues->GetNumberOfComponents() != 1)
+    if (Error error = find(mapper.GetOpacityArray(), picture.OpacityValues))
     {
-      fault = ArrayCheck::FindPointFault(picture.Image, picture.OpacityValues, 1);
+      return error;
+    }
+    if (Error error = ArrayCheck::FindPointError(picture.Image, picture.OpacityValues, 1))
+    {
+      return error;
     }
     parts.HasTransfer = true;
   }
-  const bool isShaded = picture.Volume->GetProperty()->GetShade() != 0;
-  if (fault.empty() && isShaded && *mapper.GetShadingArray())
+  if (picture.Volume->GetProperty()->GetShade() != 0 && *mapper.GetShadingArray())
   {
-    fault = find(mapper.GetShadingArray(), picture.ShadingValues);
-    const int components =
-      picture.ShadingValues ? picture.ShadingValues->GetNumberOfComponents() : 1;
-    parts.IsShaded = true;
-    parts.IsShadedByVectors = components == 3;
+    if (Error error = find(mapper.GetShadingArray(), picture.ShadingValues))
+    {
+      return error;
+    }
+    const int components = picture.ShadingValues->GetNumberOfComponents();
     if (components != 1 && components != 3)
     {
-      fault = ArrayCheck::Describe(picture.ShadingValues) + " has " +
+      return ArrayCheck::Describe(picture.ShadingValues) + " has " +
         ArrayCheck::Count(components, "component") + "; 1 or 3 are needed to shade by";
     }
+    parts.IsShaded = true;
+    parts.IsShadedByVectors = components == 3;
   }
-  if (fault.empty() && mapper.GetDetailTexture())
+  if (mapper.GetDetailTexture())
   {
     int size[3];
     mapper.GetDetailTexture()->GetDimensions(size);
     parts.DetailDimensions = size[0] > 1 && size[1] > 1 && size[2] > 1 ? 3 : 2;
   }
-  return fault;
+  return {};
 }
 
-std::string FlowVolumeRenderer::Update(FlowPicture& picture)
+Error FlowVolumeRenderer::Update(FlowPicture& picture)
 {
-  std::string error = this->UpdateGrid(picture.Image);
-  if (error.empty())
+  if (Error error = this->UpdateGrid(picture.Image).Then([&] { return this->FindArrays(picture); }))
   {
-    error = this->FindArrays(picture);
+    return error;
   }
-  if (error.empty())
-  {
-    error = this->Scene.View.Set(
-      picture.Renderer, picture.Image, picture.Volume->GetMatrix(), &picture.Mapper);
-  }
-  if (!error.empty())
+  if (Error error = this->Scene.View.Set(
+        picture.Renderer, picture.Image, picture.Volume->GetMatrix(), &picture.Mapper))
   {
     return error;
   }
@@ -179,7 +176,7 @@ void FlowVolumeRenderer::ReleaseSlices(vtkOpenGLRenderWindow* window, bool isAsk
   }
 }
 
-std::string FlowVolumeRenderer::DrawSlices(FlowPicture& picture, WindowResources& resources)
+Error FlowVolumeRenderer::DrawSlices(FlowPicture& picture, WindowResources& resources)
 {
   vtkOpenGLState* state = picture.Window->GetState();
   state->PushFramebufferBindings();
@@ -192,7 +189,7 @@ std::string FlowVolumeRenderer::DrawSlices(FlowPicture& picture, WindowResources
   return this->Slices->Draw(picture, this->Scene, resources.Textures);
 }
 
-std::string FlowVolumeRenderer::Draw(FlowPicture& picture, WindowResources& resources)
+Error FlowVolumeRenderer::Draw(FlowPicture& picture, WindowResources& resources)
 {
   vtkOpenGLRenderWindow* window = picture.Window;
   vtkTextureObject* depth = resources.OpaqueDepth;
@@ -211,7 +208,7 @@ std::string FlowVolumeRenderer::Draw(FlowPicture& picture, WindowResources& reso
     FloatTexture::Allocate(window, resources.Image, picture.Size[0], picture.Size[1], 4, true);
   if (picture.Report.ImageBufferBytes == 0)
   {
-    return "the graphics card has no memory for a picture of floats";
+    return { "the graphics card has no memory for a picture of floats", ErrorCode::OutOfMemory };
   }
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
@@ -254,19 +251,19 @@ std::string FlowVolumeRenderer::Draw(FlowPicture& picture, WindowResources& reso
   return {};
 }
 
-std::string FlowVolumeRenderer::Render(vtkRenderer* renderer, vtkVolume* volume,
+Error FlowVolumeRenderer::Render(vtkRenderer* renderer, vtkVolume* volume,
   vtkImplicitFlowVolumeMapper& mapper, vtkImageData* image, vtkImplicitFlowVolumeReport& report)
 {
   const double start = vtkTimerLog::GetUniversalTime();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window)
   {
-    return "the render window is not an OpenGL one";
+    return { "the render window is not an OpenGL one", ErrorCode::OpenGL };
   }
   window->MakeCurrent();
   if (!HasOpenGL32())
   {
-    return "OpenGL is older than 3.2";
+    return { "OpenGL is older than 3.2", ErrorCode::OpenGL };
   }
   std::unique_ptr<WindowResources>& resources = this->Windows[window];
   if (!resources)
@@ -289,12 +286,9 @@ std::string FlowVolumeRenderer::Render(vtkRenderer* renderer, vtkVolume* volume,
     picture.Size[i] =
       std::max(static_cast<int>(std::lround(size[i] / mapper.GetImageSampleDistance())), 1);
   }
-  std::string error = this->Update(picture);
-  if (error.empty())
-  {
-    error = FlowSources::Keep(picture, this->Scene, resources->Textures);
-  }
-  if (error.empty() && !this->Scene.Grid.Ids.empty())
+  Error error = this->Update(picture).Then(
+    [&] { return FlowSources::Keep(picture, this->Scene, resources->Textures); });
+  if (!error && !this->Scene.Grid.Ids.empty())
   {
     error =
       picture.HasShadows ? this->DrawSlices(picture, *resources) : this->Draw(picture, *resources);

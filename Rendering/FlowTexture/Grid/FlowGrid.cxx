@@ -55,17 +55,16 @@ struct FlowGrid::Arrays
   bool IsReached(vtkIdType i) const { return Get(this->Statuses, i) == REACHED; }
 };
 
-std::string FlowGrid::Build(vtkImageData* image)
+Error FlowGrid::Build(vtkImageData* image)
 {
   *this = FlowGrid();
   const std::pair<const char*, int> needed[] = { { STATUS, 1 }, { ID, 1 }, { PLACE, 2 },
     { TIME, 1 } };
   for (const auto& [name, components] : needed)
   {
-    const std::string fault = ArrayCheck::FindPointFault(image, "input", name, components);
-    if (!fault.empty())
+    if (Error error = ArrayCheck::FindPointError(image, "input", name, components))
     {
-      return fault;
+      return error;
     }
   }
   image->GetDimensions(this->Size.data());
@@ -82,7 +81,7 @@ std::string FlowGrid::Build(vtkImageData* image)
   arrays.Places.Build(points->GetArray(PLACE));
   arrays.Times.Build(points->GetArray(TIME));
   vtkAbstractArray* sides = points->GetAbstractArray(SIDE);
-  arrays.HasSides = sides && ArrayCheck::FindPointFault(image, sides, 1).empty();
+  arrays.HasSides = sides && !ArrayCheck::FindPointError(image, sides, 1);
   if (arrays.HasSides)
   {
     arrays.Sides.Build(points->GetArray(SIDE));

@@ -2,10 +2,11 @@
 #ifndef interlume_FlowGrid_h
 #define interlume_FlowGrid_h
 
+#include "Common/Error.h"
+
 #include "vtkType.h"
 
 #include <array>
-#include <string>
 #include <vector>
 
 class vtkDataArray;
@@ -48,11 +49,11 @@ public:
   using Periodicity = std::array<bool, 2>;
 
   /**
-   * Reads the arrays that vtkImplicitFlowField writes. Returns what is wrong, or nothing. Samples
-   * that reached a surface with a place or a time that is no finite number count as having reached
-   * none.
+   * Reads the arrays that vtkImplicitFlowField writes. Returns an error if they cannot be used.
+   * Samples that reached a surface with a position or a time that is not finite count as having
+   * reached none.
    */
-  std::string Build(vtkImageData* image);
+  Error Build(vtkImageData* image);
 
   /// Returns the label of an id; 0 where no sample has it.
   int FindLabel(int id) const;

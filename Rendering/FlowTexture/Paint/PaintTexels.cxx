@@ -32,17 +32,16 @@ double GetWhite(int type)
 }
 }
 
-std::string PaintTexels::Build(vtkImageData* image, int dimensions)
+Error PaintTexels::Build(vtkImageData* image, int dimensions)
 {
   vtkDataArray* colors = image->GetPointData()->GetScalars();
   if (!colors || image->GetNumberOfPoints() < 1)
   {
     return "has no active point scalars";
   }
-  const std::string fault = ArrayCheck::FindPointFault(image, colors, 0);
-  if (!fault.empty())
+  if (Error error = ArrayCheck::FindPointError(image, colors, 0))
   {
-    return "cannot be read: " + fault;
+    return error.Within("cannot be read: ");
   }
   int size[3];
   image->GetDimensions(size);

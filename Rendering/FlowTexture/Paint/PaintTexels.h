@@ -2,8 +2,9 @@
 #ifndef interlume_PaintTexels_h
 #define interlume_PaintTexels_h
 
+#include "Common/Error.h"
+
 #include <array>
-#include <string>
 #include <vector>
 
 class vtkImageData;
@@ -25,9 +26,10 @@ public:
    * Reads the active point scalars of an image of unsigned char (0 to 255), unsigned short (0 to
    * 65535), float or double (0 to 1, clamped; no number is 0), of one (grey), two (grey and alpha),
    * three or four components. \a dimensions is the largest number of axes with more than one point.
-   * Returns what is wrong, or nothing.
+   * Returns an error if the image cannot be used; its message continues a sentence that begins with
+   * the image's name.
    */
-  std::string Build(vtkImageData* image, int dimensions);
+  Error Build(vtkImageData* image, int dimensions);
 
   /// The texels along the image's axes; those along axes of one point are left out, ones follow.
   std::array<int, 3> Size{ { 1, 1, 1 } };

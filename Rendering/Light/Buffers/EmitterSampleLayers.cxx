@@ -69,12 +69,11 @@ vtkIdType EmitterSampleLayers::GetTexels(const SlicePlan::ShadowedLight& light)
     (static_cast<vtkIdType>(light.Samples.size()) + 1) * layer * layer;
 }
 
-std::string EmitterSampleLayers::Prepare(vtkOpenGLRenderWindow* window,
-  const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
-  const std::vector<const SlicePolygons*>& polygons, int channels, bool isWhole)
+Error EmitterSampleLayers::Prepare(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
+  const SlicePlan::ShadowedLight& light, const std::vector<const SlicePolygons*>& polygons,
+  int channels, bool isWhole)
 {
-  std::string error = this->Allocate(window, light, channels);
-  if (!error.empty())
+  if (Error error = this->Allocate(window, light, channels))
   {
     return error;
   }
@@ -92,7 +91,7 @@ std::string EmitterSampleLayers::Prepare(vtkOpenGLRenderWindow* window,
   return this->Compile(window, channels);
 }
 
-std::string EmitterSampleLayers::Allocate(
+Error EmitterSampleLayers::Allocate(
   vtkOpenGLRenderWindow* window, const SlicePlan::ShadowedLight& light, int channels)
 {
   this->Bytes = 0;
@@ -137,10 +136,12 @@ std::string EmitterSampleLayers::Allocate(
     stack.Layers = std::min(this->NumberOfLayers - static_cast<int>(stack.First), most);
     hasMemory = prepare(stack.Texture, this->LayerSize, stack.Layers);
   }
-  return hasMemory ? "" : "the graphics card has no memory for the layers of an area light";
+  return hasMemory ? Error()
+                   : Error("the graphics card has no memory for the layers of an area light",
+                       ErrorCode::OutOfMemory);
 }
 
-std::string EmitterSampleLayers::Compile(vtkOpenGLRenderWindow* window, int channels)
+Error EmitterSampleLayers::Compile(vtkOpenGLRenderWindow* window, int channels)
 {
   const std::string light = channels == 1 ? "COLOR=float CHANNELS=r" : "COLOR=vec3 CHANNELS=rgb";
   const auto prepare = [&](SlicePass& pass, const std::string& features)
@@ -148,12 +149,10 @@ std::string EmitterSampleLayers::Compile(vtkOpenGLRenderWindow* window, int chan
     return pass.Prepare(
       window, ShaderFeatures::Insert(InterlumeSliceLayerFS, light + features), this->Tiles);
   };
-  std::string error = prepare(this->Fill, "");
-  error = error.empty() ? prepare(this->Join, " JOIN") : error;
+  Error error = prepare(this->Fill, "").Then([&] { return prepare(this->Join, " JOIN"); });
   for (const std::unique_ptr<Stack>& stack : this->Stacks)
   {
-    error =
-      error.empty() ? prepare(stack->Mean, " MEAN LAYERS=" + std::to_string(stack->Layers)) : error;
+    error = error ? error : prepare(stack->Mean, " MEAN LAYERS=" + std::to_string(stack->Layers));
   }
   return error;
 }

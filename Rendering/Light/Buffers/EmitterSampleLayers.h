@@ -3,6 +3,7 @@
 #define interlume_EmitterSampleLayers_h
 
 #include "Buffers/SlicePass.h"
+#include "Common/Error.h"
 #include "Common/Vectors.h"
 #include "Plan/LayerBatches.h"
 #include "Plan/SlicePlan.h"
@@ -15,7 +16,6 @@
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <string>
 #include <vector>
 
 class vtkOpenGLBufferObject;
@@ -70,9 +70,9 @@ public:
   /**
    * Creates empty layers and batches for a sweep through \a polygons, which must stay valid as must
    * the plan. \a channels are those of light. If \a isWhole, the buffer is also looked up where
-   * there is no medium. Returns an error message, or an empty string on success.
+   * there is no medium. Returns an error if there is no memory or a shader cannot be compiled.
    */
-  std::string Prepare(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
+  Error Prepare(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
     const SlicePlan::ShadowedLight& light, const std::vector<const SlicePolygons*>& polygons,
     int channels, bool isWhole);
 
@@ -106,9 +106,9 @@ private:
     int Number = -1;
   };
 
-  std::string Allocate(
+  Error Allocate(
     vtkOpenGLRenderWindow* window, const SlicePlan::ShadowedLight& light, int channels);
-  std::string Compile(vtkOpenGLRenderWindow* window, int channels);
+  Error Compile(vtkOpenGLRenderWindow* window, int channels);
   void Clear(vtkOpenGLRenderWindow* window, vtkTextureObject* texture);
   /// Puts a batch into the layers and empties it.
   int FillLayers(vtkOpenGLRenderWindow* window, Batch& batch);

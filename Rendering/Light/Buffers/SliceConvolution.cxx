@@ -63,7 +63,7 @@ SliceConvolution::SliceConvolution() = default;
 
 SliceConvolution::~SliceConvolution() = default;
 
-std::string SliceConvolution::Prepare(vtkOpenGLRenderWindow* window, const LightSource& source,
+Error SliceConvolution::Prepare(vtkOpenGLRenderWindow* window, const LightSource& source,
   const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light, int channels)
 {
   this->Source = source;
@@ -75,7 +75,8 @@ std::string SliceConvolution::Prepare(vtkOpenGLRenderWindow* window, const Light
     window, this->Spare, light.BufferSize, light.BufferSize, channels, false);
   if (this->Bytes == 0)
   {
-    return "the graphics card has no memory for the shadows of an area light";
+    return Error(
+      "the graphics card has no memory for the shadows of an area light", ErrorCode::OutOfMemory);
   }
   this->Framebuffer->SetContext(window);
   if (!this->Quad)
@@ -83,7 +84,9 @@ std::string SliceConvolution::Prepare(vtkOpenGLRenderWindow* window, const Light
     this->Quad =
       std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, InterlumeSliceBoxFS, nullptr);
   }
-  return this->Quad->Program ? "" : "the shader of an area light's shadows cannot be compiled";
+  return this->Quad->Program
+    ? Error()
+    : Error("the shader of an area light's shadows cannot be compiled", ErrorCode::OpenGL);
 }
 
 int SliceConvolution::Begin(vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, int slab)

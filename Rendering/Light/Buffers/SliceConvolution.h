@@ -2,6 +2,7 @@
 #ifndef interlume_SliceConvolution_h
 #define interlume_SliceConvolution_h
 
+#include "Common/Error.h"
 #include "Lights/LightSource.h"
 #include "Plan/SlicePlan.h"
 
@@ -10,7 +11,6 @@
 
 #include <array>
 #include <memory>
-#include <string>
 
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLQuadHelper;
@@ -38,9 +38,9 @@ public:
   SliceConvolution();
   ~SliceConvolution();
 
-  /// Begins a sweep for a light with the given number of channels. Returns an error message, or an
-  /// empty string on success. The plan must stay valid during the sweep.
-  std::string Prepare(vtkOpenGLRenderWindow* window, const LightSource& source,
+  /// Begins a sweep for a light with the given number of channels. Returns an error if there is
+  /// no memory or the shader cannot be compiled. The plan must stay valid during the sweep.
+  Error Prepare(vtkOpenGLRenderWindow* window, const LightSource& source,
     const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light, int channels);
 
   vtkIdType GetBytes() const { return this->Bytes; }

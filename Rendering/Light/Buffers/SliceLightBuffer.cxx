@@ -38,7 +38,7 @@ vtkIdType SliceLightBuffer::GetSoftTexels(const SlicePlan::ShadowedLight& light)
     : 0;
 }
 
-std::string SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const ImageState& image,
+Error SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const ImageState& image,
   const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
   const std::vector<const SlicePolygons*>& polygons)
 {
@@ -50,10 +50,10 @@ std::string SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const Image
     window, this->Texture, this->Size, this->Size, image.GetLightChannels(), image.IsSmoothLookup);
   if (this->Bytes == 0)
   {
-    return "the graphics card has no memory for the buffer of a light";
+    return Error(
+      "the graphics card has no memory for the buffer of a light", ErrorCode::OutOfMemory);
   }
-  std::string error = this->PrepareSoftShadows(window, image, polygons);
-  if (!error.empty())
+  if (Error error = this->PrepareSoftShadows(window, image, polygons))
   {
     return error;
   }
@@ -97,7 +97,7 @@ std::string SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const Image
   return {};
 }
 
-std::string SliceLightBuffer::PrepareVolume(
+Error SliceLightBuffer::PrepareVolume(
   vtkOpenGLRenderWindow* window, std::size_t volume, VolumeSlices& slices)
 {
   const SlicePlan::Sweep& sweep = *this->Sweep;
@@ -127,7 +127,8 @@ std::string SliceLightBuffer::PrepareVolume(
       window, layer, this->Size, this->Size, frame.Image->GetLightChannels(), false);
     if (bytes == 0)
     {
-      return "the graphics card has no memory for the layers of a light";
+      return Error(
+        "the graphics card has no memory for the layers of a light", ErrorCode::OutOfMemory);
     }
     this->Bytes += bytes;
     own.LayerSlabs[i] = 0;
@@ -153,9 +154,8 @@ std::string SliceLightBuffer::PrepareVolume(
     own.TileVertices->Upload(drawn, vtkOpenGLBufferObject::ArrayBuffer);
   }
   const std::string source = SliceShader::GetLightSource(frame, light, hasLayers);
-  std::string error =
-    own.Slices.Prepare(window, source, isTiled ? own.TileVertices.Get() : slices.GetVertices());
-  if (!error.empty())
+  if (Error error =
+        own.Slices.Prepare(window, source, isTiled ? own.TileVertices.Get() : slices.GetVertices()))
   {
     return error;
   }
@@ -165,8 +165,8 @@ std::string SliceLightBuffer::PrepareVolume(
   return {};
 }
 
-std::string SliceLightBuffer::PrepareSoftShadows(vtkOpenGLRenderWindow* window,
-  const ImageState& image, const std::vector<const SlicePolygons*>& polygons)
+Error SliceLightBuffer::PrepareSoftShadows(vtkOpenGLRenderWindow* window, const ImageState& image,
+  const std::vector<const SlicePolygons*>& polygons)
 {
   const SlicePlan::ShadowedLight& light = *this->Planned;
   const bool hasSamples = light.SoftMethod == SlicePlan::LAYERS;

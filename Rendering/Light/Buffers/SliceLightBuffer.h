@@ -6,6 +6,7 @@
 #include "Buffers/SliceConvolution.h"
 #include "Buffers/SliceOcclusion.h"
 #include "Buffers/SlicePass.h"
+#include "Common/Error.h"
 #include "Plan/LightTiles.h"
 #include "Plan/PlaneTiles.h"
 #include "Plan/SlicePlan.h"
@@ -18,7 +19,6 @@
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <string>
 #include <vector>
 
 class vtkOpenGLBufferObject;
@@ -62,16 +62,15 @@ public:
   /**
    * Prepares the buffer for a sweep: all light passes. \a light is the light of this buffer in the
    * sweep, \a polygons are those of the volumes that attenuate it. The plan must stay valid during
-   * the sweep. Returns an error message, or an empty string on success.
+   * the sweep. Returns an error if there is no memory or a shader cannot be compiled.
    */
-  std::string Prepare(vtkOpenGLRenderWindow* window, const ImageState& image,
+  Error Prepare(vtkOpenGLRenderWindow* window, const ImageState& image,
     const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
     const std::vector<const SlicePolygons*>& polygons);
 
-  /// Prepares a volume's program, if it has triangles, after Prepare. Returns an error message, or
-  /// an empty string on success.
-  std::string PrepareVolume(
-    vtkOpenGLRenderWindow* window, std::size_t volume, VolumeSlices& slices);
+  /// Prepares a volume's program, if it has triangles, after Prepare. Returns an error as Prepare
+  /// does.
+  Error PrepareVolume(vtkOpenGLRenderWindow* window, std::size_t volume, VolumeSlices& slices);
 
   ///@{
   /// Return the buffer without what a volume has taken for some slabs, and the first slab of which
@@ -122,7 +121,7 @@ private:
     bool IsLayerSet = false;
   };
 
-  std::string PrepareSoftShadows(vtkOpenGLRenderWindow* window, const ImageState& image,
+  Error PrepareSoftShadows(vtkOpenGLRenderWindow* window, const ImageState& image,
     const std::vector<const SlicePolygons*>& polygons);
   void CopyTo(vtkTextureObject* layer);
   /// Returns what is drawn of a volume whose slices have these triangles.

@@ -18,7 +18,7 @@ SlicePass::SlicePass() = default;
 
 SlicePass::~SlicePass() = default;
 
-std::string SlicePass::Prepare(vtkOpenGLRenderWindow* window, const std::string& source,
+Error SlicePass::Prepare(vtkOpenGLRenderWindow* window, const std::string& source,
   vtkOpenGLBufferObject* vertices, bool isMarked)
 {
   const std::string places = ShaderFeatures::Insert(InterlumeSliceVS, isMarked ? "MARKED" : "");
@@ -26,14 +26,14 @@ std::string SlicePass::Prepare(vtkOpenGLRenderWindow* window, const std::string&
   this->Program = window->GetShaderCache()->ReadyShaderProgram(places.c_str(), source.c_str(), "");
   if (!this->Program)
   {
-    return "the shaders of slices cannot be compiled";
+    return Error("the shaders of slices cannot be compiled", ErrorCode::OpenGL);
   }
   this->Vertices->ReleaseGraphicsResources();
   this->Vertices->Bind();
   const bool isAdded = this->Vertices->AddAttributeArray(
     this->Program, vertices, "placeIn", 0, 3 * sizeof(float), VTK_FLOAT, 3, false);
   this->Vertices->Release();
-  return isAdded ? "" : "the triangles of slices cannot be drawn";
+  return isAdded ? Error() : Error("the triangles of slices cannot be drawn", ErrorCode::OpenGL);
 }
 
 void SlicePass::Draw(vtkOpenGLRenderWindow* window, const std::vector<std::size_t>& starts,

@@ -2,6 +2,8 @@
 #ifndef interlume_SlicePass_h
 #define interlume_SlicePass_h
 
+#include "Common/Error.h"
+
 #include "vtkNew.h"
 
 #include <cstddef>
@@ -28,10 +30,9 @@ public:
 
   /**
    * Compiles the fragments' source, for triangles in \a vertices. Slices that are \a isMarked have
-   * one depth each, nearer from slab to slab and volume to volume. Returns what is wrong, or
-   * nothing.
+   * one depth each, nearer from slab to slab and volume to volume. Returns an error if that fails.
    */
-  std::string Prepare(vtkOpenGLRenderWindow* window, const std::string& source,
+  Error Prepare(vtkOpenGLRenderWindow* window, const std::string& source,
     vtkOpenGLBufferObject* vertices, bool isMarked = false);
   vtkShaderProgram* GetProgram() const { return this->Program; }
 

@@ -71,7 +71,7 @@ const SlabTriangles& VolumeSlices::GetSeen() const
   return this->HasTiles ? static_cast<const SlabTriangles&>(this->Tiles) : this->Polygons;
 }
 
-std::string VolumeSlices::Prepare(vtkOpenGLRenderWindow* window, std::size_t sweep, bool isOccluded,
+Error VolumeSlices::Prepare(vtkOpenGLRenderWindow* window, std::size_t sweep, bool isOccluded,
   bool isMarked, const std::function<void(vtkShaderProgram*)>& activate)
 {
   this->Programs.clear();
@@ -89,9 +89,9 @@ std::string VolumeSlices::Prepare(vtkOpenGLRenderWindow* window, std::size_t swe
   const auto prepare = [&](SlicePass& pass, SliceShader::Parts part)
   {
     const std::string source = SliceShader::GetEyeSource(*this->Frame, sweep, isOccluded, part);
-    std::string error =
+    Error error =
       pass.Prepare(window, source, hasTileVertices ? this->TileVertices : this->Vertices, isMarked);
-    if (error.empty())
+    if (!error)
     {
       activate(pass.GetProgram());
       this->Add(pass.GetProgram());
@@ -99,15 +99,13 @@ std::string VolumeSlices::Prepare(vtkOpenGLRenderWindow* window, std::size_t swe
     }
     return error;
   };
-  std::string error = prepare(this->Eye,
+  Error error = prepare(this->Eye,
     !this->IsSplit   ? SliceShader::ALL
       : this->IsThin ? SliceShader::THIN
                      : SliceShader::EMPTY);
-  if (error.empty() && this->IsSplit)
-  {
-    error = prepare(this->SecondEye, this->IsThick ? SliceShader::THICK : SliceShader::ALL);
-  }
-  return error;
+  return error || !this->IsSplit
+    ? error
+    : prepare(this->SecondEye, this->IsThick ? SliceShader::THICK : SliceShader::ALL);
 }
 
 void VolumeSlices::Add(vtkShaderProgram* program)

@@ -3,6 +3,7 @@
 #define interlume_VolumeSlices_h
 
 #include "Buffers/SlicePass.h"
+#include "Common/Error.h"
 #include "Plan/PlaneTiles.h"
 #include "Plan/SlicePlan.h"
 #include "Plan/SlicePolygons.h"
@@ -12,7 +13,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <string>
 #include <vector>
 
 class vtkOpenGLBufferObject;
@@ -60,10 +60,10 @@ public:
   /**
    * Makes the eye's programs ready for a sweep. \a isMarked says that some volume of the picture
    * has two programs; \a activate binds what all volumes share. A volume without triangles has no
-   * programs. Returns what is wrong, or nothing.
+   * programs. Returns an error if one cannot be compiled.
    */
-  std::string Prepare(vtkOpenGLRenderWindow* window, std::size_t sweep, bool isOccluded,
-    bool isMarked, const std::function<void(vtkShaderProgram*)>& activate);
+  Error Prepare(vtkOpenGLRenderWindow* window, std::size_t sweep, bool isOccluded, bool isMarked,
+    const std::function<void(vtkShaderProgram*)>& activate);
   /// Adds a program that reads the volume's textures, which are bound.
   void Add(vtkShaderProgram* program);
   bool HasThickPart() const { return this->IsThick; }

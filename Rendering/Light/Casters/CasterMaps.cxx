@@ -27,7 +27,7 @@ int CasterMaps::GetLargestResolution(int views, int most)
   return std::max(std::min(static_cast<int>(limit), most) / ViewTiles::GetColumns(views), 1);
 }
 
-std::string CasterMaps::Draw(vtkRenderer* renderer, const std::vector<CasterView>& views,
+Error CasterMaps::Draw(vtkRenderer* renderer, const std::vector<CasterView>& views,
   const std::vector<vtkProp*>& props, int resolution, double bias)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -41,7 +41,8 @@ std::string CasterMaps::Draw(vtkRenderer* renderer, const std::vector<CasterView
   this->State.clear();
   if (!this->Depths.Allocate(window, this->Tiles.GetWidth(), this->Tiles.GetHeight()))
   {
-    return "the graphics card has no memory for the depth maps of lights";
+    return Error(
+      "the graphics card has no memory for the depth maps of lights", ErrorCode::OutOfMemory);
   }
   vtkSmartPointer<vtkCamera> eye = renderer->GetActiveCamera();
   this->Depths.Draw(window, true,

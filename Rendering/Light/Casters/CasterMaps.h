@@ -5,6 +5,7 @@
 #include "Casters/CasterView.h"
 #include "Casters/PropDepths.h"
 #include "Casters/ViewTiles.h"
+#include "Common/Error.h"
 
 #include "vtkNew.h"
 #include "vtkType.h"
@@ -39,9 +40,9 @@ public:
 
   /**
    * Draws the maps of all views. \a bias is the setting DepthBias of vtkShadowedScenePass. Returns
-   * what is wrong, or nothing.
+   * an error if there is no memory for them.
    */
-  std::string Draw(vtkRenderer* renderer, const std::vector<CasterView>& views,
+  Error Draw(vtkRenderer* renderer, const std::vector<CasterView>& views,
     const std::vector<vtkProp*>& props, int resolution, double bias);
   /// The number of maps that the last Draw drew; 0 where nothing had changed.
   int GetDrawn() const { return this->Drawn; }

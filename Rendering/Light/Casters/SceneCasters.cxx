@@ -43,14 +43,14 @@ bool SceneCasters::HasViews() const
   return !this->Views.GetViews().empty() || !this->Emitters.GetViews().empty();
 }
 
-std::string SceneCasters::Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& props,
-  int resolution, double bias, vtkShadowedSceneReport& report)
+Error SceneCasters::Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& props, int resolution,
+  double bias, vtkShadowedSceneReport& report)
 {
   report.Casters = static_cast<int>(props.size());
   report.Lights =
     static_cast<int>(this->Views.GetLights().size() + this->Emitters.GetLights().size());
   report.AreaLights = static_cast<int>(this->Emitters.GetLights().size());
-  std::string error;
+  Error error;
   const auto draw = [&](
                       CasterMaps& maps, const std::vector<CasterView>& views, int columns, int most)
   {
@@ -61,7 +61,7 @@ std::string SceneCasters::Draw(vtkRenderer* renderer, const std::vector<vtkProp*
     }
     const int largest = CasterMaps::GetLargestResolution(static_cast<int>(views.size()), most);
     const int used = std::min(columns, largest);
-    error = error.empty() ? maps.Draw(renderer, views, props, used, bias) : error;
+    error = error ? error : maps.Draw(renderer, views, props, used, bias);
     return used;
   };
   report.DepthMapResolution = draw(this->Maps, this->Views.GetViews(), resolution, VTK_INT_MAX);

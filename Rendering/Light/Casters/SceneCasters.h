@@ -5,6 +5,7 @@
 #include "Casters/CasterMaps.h"
 #include "Casters/CasterViews.h"
 #include "Casters/EmitterViews.h"
+#include "Common/Error.h"
 #include "Space/UnitSpace.h"
 
 #include "vtkTimeStamp.h"
@@ -45,10 +46,10 @@ public:
   /// When maps were drawn last: another time where they have changed.
   vtkMTimeType GetDrawTime() const { return this->DrawTime.GetMTime(); }
 
-  /// Draws the maps. \a bias is the setting DepthBias of vtkShadowedScenePass. Returns what is
-  /// wrong, or nothing.
-  std::string Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& props, int resolution,
-    double bias, vtkShadowedSceneReport& report);
+  /// Draws the maps. \a bias is the setting DepthBias of vtkShadowedScenePass. Returns an
+  /// error if there is no memory for them.
+  Error Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& props, int resolution, double bias,
+    vtkShadowedSceneReport& report);
 
   /// The features and the source of a shader that calls what GetShare returns.
   std::string GetFeatures() const;

@@ -120,10 +120,10 @@ std::vector<double> MakeKey(const VolumeRenderState& frame,
 }
 }
 
-std::string ScatteringUpdater::MakePhase(const Settings& settings, SliceScattering& scattering)
+Error ScatteringUpdater::MakePhase(const Settings& settings, SliceScattering& scattering)
 {
   this->Phase.SetIsotropic();
-  std::string error;
+  Error error;
   if (scattering.Kind == Settings::HENYEY_GREENSTEIN_PHASE)
   {
     error = this->Phase.SetHenyeyGreenstein(settings.Anisotropy);
@@ -135,9 +135,8 @@ std::string ScatteringUpdater::MakePhase(const Settings& settings, SliceScatteri
     error = this->Phase.SetTable(values);
   }
   scattering.Phases.clear();
-  for (int i = 0; error.empty() && scattering.Kind == Settings::TABLE_PHASE &&
-       i < SliceScattering::PhaseColumns;
-       ++i)
+  for (int i = 0;
+       !error && scattering.Kind == Settings::TABLE_PHASE && i < SliceScattering::PhaseColumns; ++i)
   {
     const double cosine = 2.0 * i / (SliceScattering::PhaseColumns - 1) - 1.0;
     scattering.Phases.push_back(
@@ -147,7 +146,7 @@ std::string ScatteringUpdater::MakePhase(const Settings& settings, SliceScatteri
   return error;
 }
 
-std::string ScatteringUpdater::SetPhase(const Settings& settings, SliceScattering& scattering)
+Error ScatteringUpdater::SetPhase(const Settings& settings, SliceScattering& scattering)
 {
   const bool isOn = settings.MultipleScattering != Settings::NO_SCATTERING;
   // A table that is not set is isotropic.
@@ -164,10 +163,10 @@ std::string ScatteringUpdater::SetPhase(const Settings& settings, SliceScatterin
   }
   scattering.Kind = kind;
   scattering.Anisotropy = settings.Anisotropy;
-  std::string error = this->MakePhase(settings, scattering);
+  Error error = this->MakePhase(settings, scattering);
   ++this->Version;
   this->Key = NoKey;
-  this->Mode = error.empty() ? scattering.Mode : Settings::NO_SCATTERING;
+  this->Mode = error ? Settings::NO_SCATTERING : scattering.Mode;
   this->Kind = kind;
   this->Anisotropy = settings.Anisotropy;
   this->TableTime = time;
@@ -205,7 +204,7 @@ bool ScatteringUpdater::MakeGrid(const std::vector<Volume>& volumes)
   return this->HasGrid;
 }
 
-std::string ScatteringUpdater::MakeField(vtkOpenGLRenderWindow* window, VolumeRenderState& frame,
+Error ScatteringUpdater::MakeField(vtkOpenGLRenderWindow* window, VolumeRenderState& frame,
   const std::vector<Volume>& volumes, const Settings& settings, int lightSamples)
 {
   SliceScattering& scattering = frame.Scattering;
@@ -236,11 +235,10 @@ std::string ScatteringUpdater::MakeField(vtkOpenGLRenderWindow* window, VolumeRe
   if (SurfaceOcclusionGrid::GetTime(frame.Image->Scene) > 0)
   {
     std::vector<std::vector<glm::vec3>> shares;
-    std::string fault = SurfaceOcclusionGrid::Make(
-      window, *frame.Image->Scene, grid, frame.Space.GetWorldFromUnit(), lights, shares);
-    if (!fault.empty())
+    if (Error error = SurfaceOcclusionGrid::Make(
+          window, *frame.Image->Scene, grid, frame.Space.GetWorldFromUnit(), lights, shares))
     {
-      return fault;
+      return error;
     }
     for (std::size_t i = 0; i < shares.size(); ++i)
     {
@@ -258,9 +256,8 @@ std::string ScatteringUpdater::MakeField(vtkOpenGLRenderWindow* window, VolumeRe
   const bool isFull = scattering.Mode == Settings::FULL_SCATTERING;
   ScatteringField field;
   ScatteringReport solved;
-  std::string error = ScatteringSolver::Solve(grid.GetMedium(), direct,
-    isFull ? ScatteringMode::Full : ScatteringMode::Forward, asked, field, solved);
-  if (!error.empty())
+  if (Error error = ScatteringSolver::Solve(grid.GetMedium(), direct,
+        isFull ? ScatteringMode::Full : ScatteringMode::Forward, asked, field, solved))
   {
     return error;
   }
@@ -279,7 +276,7 @@ std::string ScatteringUpdater::MakeField(vtkOpenGLRenderWindow* window, VolumeRe
   return {};
 }
 
-std::string ScatteringUpdater::Solve(vtkOpenGLRenderWindow* window, VolumeRenderState& frame,
+Error ScatteringUpdater::Solve(vtkOpenGLRenderWindow* window, VolumeRenderState& frame,
   const std::vector<Volume>& volumes, const Settings& settings, int lightSamples,
   const ScatteringUpdater* other, const SliceScattering* known)
 {
@@ -292,7 +289,7 @@ std::string ScatteringUpdater::Solve(vtkOpenGLRenderWindow* window, VolumeRender
   {
     return {};
   }
-  std::string error;
+  Error error;
   if (isAsked && other && other->Key == key && this->HasPhaseOf(*other))
   {
     frame.Scattering = *known;
@@ -305,7 +302,7 @@ std::string ScatteringUpdater::Solve(vtkOpenGLRenderWindow* window, VolumeRender
     error = this->MakeField(window, frame, volumes, settings, samples);
   }
   ++this->Version;
-  this->Key = error.empty() ? key : NoKey;
+  this->Key = error ? NoKey : key;
   this->Solves = isAsked ? this->Solves + (this->Cells > 0 ? 1 : 0) : 0;
   this->Seconds = isAsked ? vtkTimerLog::GetUniversalTime() - start : 0.0;
   return error;

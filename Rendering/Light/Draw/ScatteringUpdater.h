@@ -2,6 +2,7 @@
 #ifndef interlume_ScatteringUpdater_h
 #define interlume_ScatteringUpdater_h
 
+#include "Common/Error.h"
 #include "Grid/MatterGrid.h"
 #include "Scattering/PhaseFunction.h"
 #include "Shaders/SliceScattering.h"
@@ -12,7 +13,6 @@
 #include "vtkType.h"
 
 #include <array>
-#include <string>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
@@ -29,9 +29,9 @@ struct VolumeRenderState;
 class ScatteringUpdater
 {
 public:
-  /// Takes the way of scattering and the phase function from the settings. Returns what is wrong,
-  /// or nothing.
-  std::string SetPhase(const vtkShadowedSliceSettings& settings, SliceScattering& scattering);
+  /// Sets the mode of scattering and the phase function from the settings. Returns an error if the
+  /// phase function is not valid.
+  Error SetPhase(const vtkShadowedSliceSettings& settings, SliceScattering& scattering);
 
   /// A volume whose matter is in the picture, the versions of its samples and material, and its
   /// setting ScatteringGridSize.
@@ -46,10 +46,9 @@ public:
    * Computes the light that was scattered before, if settings request it and something has changed:
    * the medium or the position of a volume, lights with the given number of samples each, the
    * shadows of surfaces. If \a other has computed the same for another volume, it is copied from
-   * \a known, the scattering of that volume. Returns an error message, or an empty string on
-   * success.
+   * \a known, the scattering of that volume. Returns an error if the computation fails.
    */
-  std::string Solve(vtkOpenGLRenderWindow* window, VolumeRenderState& frame,
+  Error Solve(vtkOpenGLRenderWindow* window, VolumeRenderState& frame,
     const std::vector<Volume>& volumes, const vtkShadowedSliceSettings& settings, int lightSamples,
     const ScatteringUpdater* other, const SliceScattering* known);
 
@@ -62,8 +61,8 @@ public:
   int GetVersion() const { return this->Version; }
 
 private:
-  std::string MakePhase(const vtkShadowedSliceSettings& settings, SliceScattering& scattering);
-  std::string MakeField(vtkOpenGLRenderWindow* window, VolumeRenderState& frame,
+  Error MakePhase(const vtkShadowedSliceSettings& settings, SliceScattering& scattering);
+  Error MakeField(vtkOpenGLRenderWindow* window, VolumeRenderState& frame,
     const std::vector<Volume>& volumes, const vtkShadowedSliceSettings& settings, int lightSamples);
   /// Rebuilds the grid if the medium of a volume has changed. Returns whether there is any.
   bool MakeGrid(const std::vector<Volume>& volumes);

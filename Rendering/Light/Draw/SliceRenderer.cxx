@@ -100,9 +100,9 @@ SliceRenderer::Volumes SliceRenderer::UpdateVolumes(
   this->Settings = ImageSettings();
   for (VolumeResources* volume : volumes)
   {
-    std::string& error = volume->GetResult().Error;
+    Error& error = volume->GetResult().Error;
     error = volume->UpdateData(window);
-    if (error.empty())
+    if (!error)
     {
       updated.push_back(volume);
       this->Settings.Add(volume->GetRequest().Settings);
@@ -221,7 +221,7 @@ bool SliceRenderer::HasTooManySlices(
   return false;
 }
 
-std::string SliceRenderer::MakePlan(
+Error SliceRenderer::MakePlan(
   const Volumes& volumes, double coarseness, vtkShadowedSliceReport& report)
 {
   std::vector<SlicePlan::Matter> sliced;
@@ -242,41 +242,42 @@ std::string SliceRenderer::MakePlan(
   bytes += SlicePlanner::GetBufferBytes(this->Image, states);
   if (this->Settings.MaximumTextureMemory > 0 && bytes > this->Settings.MaximumTextureMemory)
   {
-    return "textures and buffers of the image take " + std::to_string(bytes) +
-      " bytes, and MaximumTextureMemory is " + std::to_string(this->Settings.MaximumTextureMemory);
+    return Error("textures and buffers of the image take " + std::to_string(bytes) +
+        " bytes, and MaximumTextureMemory is " +
+        std::to_string(this->Settings.MaximumTextureMemory),
+      ErrorCode::OutOfMemory);
   }
   return {};
 }
 
-std::string SliceRenderer::UpdateScattering(vtkRenderer* renderer, const Volumes& volumes)
+Error SliceRenderer::UpdateScattering(vtkRenderer* renderer, const Volumes& volumes)
 {
   std::vector<ScatteringUpdater::Volume> media;
   for (const VolumeResources* volume : volumes)
   {
     media.push_back(volume->GetScatteringVolume());
   }
-  std::string error;
   const VolumeResources* other = nullptr;
   for (VolumeResources* volume : volumes)
   {
-    if (error.empty())
+    if (Error error =
+          volume->UpdateScattering(renderer, media, this->Settings.NumberOfLightSamples, other))
     {
-      error = volume->UpdateScattering(renderer, media, this->Settings.NumberOfLightSamples, other);
+      return error;
     }
     other = volume->GetState().Scattering.HasField() && !other ? volume : other;
   }
-  return error;
+  return {};
 }
 
-std::string SliceRenderer::DrawSlices(
+Error SliceRenderer::DrawSlices(
   vtkRenderer* renderer, const Volumes& volumes, vtkShadowedSliceReport& report)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   std::vector<SliceRasterizer::Volume> drawn;
   for (VolumeResources* volume : volumes)
   {
-    const std::string error = volume->Upload(window);
-    if (!error.empty())
+    if (Error error = volume->Upload(window))
     {
       return error;
     }
@@ -287,8 +288,8 @@ std::string SliceRenderer::DrawSlices(
   {
     rasterizer = std::make_unique<SliceRasterizer>();
   }
-  std::string error = rasterizer->Draw(renderer, this->Image, drawn, report);
-  for (std::size_t i = 0; i < volumes.size() && error.empty() && this->Image.Scene; ++i)
+  Error error = rasterizer->Draw(renderer, this->Image, drawn, report);
+  for (std::size_t i = 0; i < volumes.size() && !error && this->Image.Scene; ++i)
   {
     // What one volume has scattered is computed in the medium of all, so that it counts once.
     if (volumes[i]->AddScatteredLight(window))
@@ -299,13 +300,13 @@ std::string SliceRenderer::DrawSlices(
   return error;
 }
 
-std::string SliceRenderer::Draw(vtkRenderer* renderer, const Volumes& volumes, SliceScene* scene)
+Error SliceRenderer::Draw(vtkRenderer* renderer, const Volumes& volumes, SliceScene* scene)
 {
   const double start = vtkTimerLog::GetUniversalTime();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   this->IsShown = false;
-  std::string error = SliceRasterizer::FindFault(window);
-  const Volumes drawn = error.empty() ? this->UpdateVolumes(window, volumes) : Volumes();
+  Error error = SliceRasterizer::FindError(window);
+  const Volumes drawn = error ? Volumes() : this->UpdateVolumes(window, volumes);
   if (drawn.empty())
   {
     return error;
@@ -313,16 +314,10 @@ std::string SliceRenderer::Draw(vtkRenderer* renderer, const Volumes& volumes, S
   const double coarseness = this->ChooseCoarseness(drawn);
   vtkShadowedSliceReport report;
   this->UpdateView(renderer, drawn, coarseness, scene, report);
-  error = this->UpdateScattering(renderer, drawn);
-  if (error.empty())
-  {
-    error = this->MakePlan(drawn, coarseness, report);
-  }
-  if (error.empty())
-  {
-    error = this->DrawSlices(renderer, drawn, report);
-  }
-  if (error.empty())
+  error = this->UpdateScattering(renderer, drawn)
+            .Then([&] { return this->MakePlan(drawn, coarseness, report); })
+            .Then([&] { return this->DrawSlices(renderer, drawn, report); });
+  if (!error)
   {
     this->LastCoarseness = coarseness;
     if (this->Settings.AutoAdjustSampleDistances)
@@ -335,8 +330,8 @@ std::string SliceRenderer::Draw(vtkRenderer* renderer, const Volumes& volumes, S
   for (VolumeResources* volume : drawn)
   {
     volume->SetReport(report,
-      error.empty() ? SliceShader::GetNames(volume->GetState(), this->Find(renderer)->IsOccluded())
-                    : std::string());
+      error ? std::string()
+            : SliceShader::GetNames(volume->GetState(), this->Find(renderer)->IsOccluded()));
   }
   // The scene is gone when the image has been drawn.
   this->Image.Scene = nullptr;

@@ -2,6 +2,7 @@
 #ifndef interlume_SliceRenderer_h
 #define interlume_SliceRenderer_h
 
+#include "Common/Error.h"
 #include "Draw/ImageSettings.h"
 #include "Plan/SlicePlan.h"
 #include "Shaders/ImageState.h"
@@ -11,7 +12,6 @@
 
 #include <map>
 #include <memory>
-#include <string>
 #include <vector>
 
 class vtkImageData;
@@ -47,10 +47,10 @@ public:
 
   /**
    * Renders volumes that have requests, as a part of \a scene unless that is null, and sets their
-   * results. Volumes with errors are skipped. Returns why the others cannot be rendered together,
-   * or an empty string; the last image stays then.
+   * results. Volumes with errors are skipped. Returns an error if the others cannot be rendered
+   * together; the last image stays then.
    */
-  std::string Draw(vtkRenderer* renderer, const Volumes& volumes, SliceScene* scene);
+  Error Draw(vtkRenderer* renderer, const Volumes& volumes, SliceScene* scene);
 
   /// Lays the image over the framebuffer that is bound, once after Draw, or shows to the renderer's
   /// selector where it has something.
@@ -69,12 +69,11 @@ private:
   /// Finds how the volumes are seen and lit.
   void UpdateView(vtkRenderer* renderer, const Volumes& volumes, double coarseness,
     SliceScene* scene, vtkShadowedSliceReport& report);
-  std::string UpdateScattering(vtkRenderer* renderer, const Volumes& volumes);
-  /// Plans the slices. Returns why they cannot be drawn, or an empty string.
-  std::string MakePlan(const Volumes& volumes, double coarseness, vtkShadowedSliceReport& report);
+  Error UpdateScattering(vtkRenderer* renderer, const Volumes& volumes);
+  /// Plans the slices. Returns an error if they cannot be drawn.
+  Error MakePlan(const Volumes& volumes, double coarseness, vtkShadowedSliceReport& report);
   bool HasTooManySlices(const std::vector<SlicePlan::Matter>& volumes, double coarseness) const;
-  std::string DrawSlices(
-    vtkRenderer* renderer, const Volumes& volumes, vtkShadowedSliceReport& report);
+  Error DrawSlices(vtkRenderer* renderer, const Volumes& volumes, vtkShadowedSliceReport& report);
   SliceRasterizer* Find(vtkRenderer* renderer) const;
 
   ImageSettings Settings;

@@ -143,7 +143,7 @@ void SurfaceOcclusionGrid::Block(
   }
 }
 
-std::string SurfaceOcclusionGrid::Make(vtkOpenGLRenderWindow* window, const SliceScene& scene,
+Error SurfaceOcclusionGrid::Make(vtkOpenGLRenderWindow* window, const SliceScene& scene,
   const MatterGrid& grid, const glm::dmat4& worldFromUnit, const std::vector<LightSource>& lights,
   std::vector<std::vector<glm::vec3>>& shares)
 {
@@ -165,7 +165,7 @@ std::string SurfaceOcclusionGrid::Make(vtkOpenGLRenderWindow* window, const Slic
     const std::vector<float> values = DrawShares(window, scene, grid, worldFromUnit, share);
     if (values.size() < 4 * cells)
     {
-      return "the shadows of surfaces in scattered light cannot be drawn";
+      return Error("the shadows of surfaces in scattered light cannot be drawn", ErrorCode::OpenGL);
     }
     for (std::size_t cell = 0; cell < cells; ++cell)
     {

@@ -2,11 +2,11 @@
 #ifndef interlume_SurfaceOcclusionGrid_h
 #define interlume_SurfaceOcclusionGrid_h
 
+#include "Common/Error.h"
 #include "Lights/LightSource.h"
 
 #include "vtkType.h"
 
-#include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -38,10 +38,10 @@ public:
 
   /**
    * Computes the shares, a list of cells for each light, empty where nothing takes from it. \a
-   * scene has shadows of surfaces. Returns what is wrong, or nothing.
+   * scene has shadows of surfaces. Returns an error if they cannot be drawn.
    */
-  static std::string Make(vtkOpenGLRenderWindow* window, const SliceScene& scene,
-    const MatterGrid& grid, const glm::dmat4& worldFromUnit, const std::vector<LightSource>& lights,
+  static Error Make(vtkOpenGLRenderWindow* window, const SliceScene& scene, const MatterGrid& grid,
+    const glm::dmat4& worldFromUnit, const std::vector<LightSource>& lights,
     std::vector<std::vector<glm::vec3>>& shares);
 };
 

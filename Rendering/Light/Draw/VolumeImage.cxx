@@ -9,7 +9,7 @@
 namespace interlume
 {
 
-void VolumeImage::Begin(const VolumeResources::Request& request, const std::string& error)
+void VolumeImage::Begin(const VolumeResources::Request& request, const Error& error)
 {
   this->Volume.SetRequest(request, error);
   this->Together.reset();
@@ -24,18 +24,17 @@ void VolumeImage::Draw(vtkRenderer* renderer, SliceScene* scene)
     return;
   }
   std::vector<VolumeResources*> volumes;
-  std::string& error = this->Volume.GetResult().Error;
   if (this->IsValid())
   {
     volumes.push_back(&this->Volume);
   }
-  const std::string fault = this->Alone.Draw(renderer, volumes, scene);
-  error = error.empty() ? fault : error;
+  const Error drawn = this->Alone.Draw(renderer, volumes, scene);
+  Error& error = this->Volume.GetResult().Error;
+  error = error ? error : drawn;
 }
 
-std::string VolumeImage::DrawTogether(vtkRenderer* renderer,
-  const std::vector<VolumeImage*>& images, const std::shared_ptr<SliceRenderer>& together,
-  SliceScene& scene)
+Error VolumeImage::DrawTogether(vtkRenderer* renderer, const std::vector<VolumeImage*>& images,
+  const std::shared_ptr<SliceRenderer>& together, SliceScene& scene)
 {
   std::vector<VolumeResources*> volumes;
   for (VolumeImage* image : images)
@@ -49,10 +48,10 @@ std::string VolumeImage::DrawTogether(vtkRenderer* renderer,
   {
     return {};
   }
-  std::string error = together->Draw(renderer, volumes, &scene);
+  Error error = together->Draw(renderer, volumes, &scene);
   for (VolumeImage* image : images)
   {
-    if (error.empty() && image->IsValid())
+    if (!error && image->IsValid())
     {
       image->Together = together;
       image->Scene = &scene;

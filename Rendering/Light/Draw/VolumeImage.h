@@ -2,11 +2,11 @@
 #ifndef interlume_VolumeImage_h
 #define interlume_VolumeImage_h
 
+#include "Common/Error.h"
 #include "Draw/SliceRenderer.h"
 #include "Draw/VolumeResources.h"
 
 #include <memory>
-#include <string>
 #include <vector>
 
 class vtkImageData;
@@ -29,18 +29,18 @@ struct SliceScene;
 class VolumeImage
 {
 public:
-  /// Begins an image. \a error is the reason why the request cannot be rendered, or empty; without
-  /// scalars there is nothing to render.
-  void Begin(const VolumeResources::Request& request, const std::string& error);
+  /// Begins an image, or reports the \a error of a request that cannot be rendered. Without scalars
+  /// there is nothing to render.
+  void Begin(const VolumeResources::Request& request, const Error& error);
 
   /// Renders the volume alone, as a part of \a scene unless that is null.
   void Draw(vtkRenderer* renderer, SliceScene* scene);
 
   /**
    * Renders all volumes without errors by \a together, as a part of \a scene, if there are two or
-   * more. Returns why that is impossible, or an empty string.
+   * more. Returns an error if that is impossible.
    */
-  static std::string DrawTogether(vtkRenderer* renderer, const std::vector<VolumeImage*>& images,
+  static Error DrawTogether(vtkRenderer* renderer, const std::vector<VolumeImage*>& images,
     const std::shared_ptr<SliceRenderer>& together, SliceScene& scene);
 
   /// Returns whether the image is a part of a scene, until EndScene, and was rendered together with
@@ -50,7 +50,7 @@ public:
   void EndScene() { this->Scene = nullptr; }
 
   /// Returns whether there is a volume, or an error.
-  bool HasContents() const { return this->IsValid() || !this->GetResult().Error.empty(); }
+  bool HasContents() const { return this->IsValid() || this->GetResult().Error; }
 
   /// Lays the image over the framebuffer that is bound.
   void Show(vtkRenderer* renderer);
@@ -64,7 +64,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  bool IsValid() const { return this->GetRequest().Scalars && this->GetResult().Error.empty(); }
+  bool IsValid() const { return this->GetRequest().Scalars && !this->GetResult().Error; }
   SliceRenderer& GetRenderer() { return this->Together ? *this->Together : this->Alone; }
 
   VolumeResources Volume;

@@ -78,7 +78,7 @@ VolumeResources::VolumeResources() = default;
 
 VolumeResources::~VolumeResources() = default;
 
-void VolumeResources::SetRequest(const Request& request, const std::string& error)
+void VolumeResources::SetRequest(const Request& request, const Error& error)
 {
   this->Asked = request;
   this->Results = Result();
@@ -87,7 +87,7 @@ void VolumeResources::SetRequest(const Request& request, const std::string& erro
   this->UploadedBytes = 0;
 }
 
-std::string VolumeResources::UpdateSamples()
+Error VolumeResources::UpdateSamples()
 {
   const Request& request = this->Asked;
   const bool isSoftware = this->State.IsSoftware;
@@ -106,28 +106,28 @@ std::string VolumeResources::UpdateSamples()
   }
   this->Scalars = nullptr;
   this->MaterialOwner = nullptr;
-  std::string error = this->State.Samples.Build(request.Scalars, size, isSoftware);
-  if (error.empty())
+  if (Error error = this->State.Samples.Build(request.Scalars, size, isSoftware))
   {
-    this->State.SmallBlocks = VolumeBlocks();
-    if (isSoftware)
-    {
-      this->State.SmallBlocks.Build(this->State.Samples, VolumeBlocks::SmallSize);
-      this->State.Blocks.Join(this->State.SmallBlocks);
-    }
-    else
-    {
-      this->State.Blocks.Build(this->State.Samples);
-    }
-    this->Scalars = request.Scalars;
-    this->SamplesTime = time;
-    this->IsWidened = isSoftware;
-    ++this->SamplesVersion;
+    return error;
   }
-  return error;
+  this->State.SmallBlocks = VolumeBlocks();
+  if (isSoftware)
+  {
+    this->State.SmallBlocks.Build(this->State.Samples, VolumeBlocks::SmallSize);
+    this->State.Blocks.Join(this->State.SmallBlocks);
+  }
+  else
+  {
+    this->State.Blocks.Build(this->State.Samples);
+  }
+  this->Scalars = request.Scalars;
+  this->SamplesTime = time;
+  this->IsWidened = isSoftware;
+  ++this->SamplesVersion;
+  return {};
 }
 
-std::string VolumeResources::UpdateMaterial()
+Error VolumeResources::UpdateMaterial()
 {
   const Request& request = this->Asked;
   vtkVolumeProperty* property = request.Volume->GetProperty();
@@ -142,19 +142,19 @@ std::string VolumeResources::UpdateMaterial()
     return {};
   }
   this->MaterialOwner = nullptr;
-  std::string error =
-    this->State.Material.Build(property, this->State.Samples, transmission, scattering);
-  if (error.empty())
+  if (Error error =
+        this->State.Material.Build(property, this->State.Samples, transmission, scattering))
   {
-    this->State.Blocks.Classify(this->State.Material);
-    this->State.SmallBlocks.Classify(this->State.Material);
-    this->State.OccupiedFraction =
-      OccupancyEstimate::Find(this->State.Samples, this->State.Blocks, this->State.Material);
-    this->MaterialOwner = property;
-    this->MaterialKey = std::move(key);
-    ++this->MaterialVersion;
+    return error;
   }
-  return error;
+  this->State.Blocks.Classify(this->State.Material);
+  this->State.SmallBlocks.Classify(this->State.Material);
+  this->State.OccupiedFraction =
+    OccupancyEstimate::Find(this->State.Samples, this->State.Blocks, this->State.Material);
+  this->MaterialOwner = property;
+  this->MaterialKey = std::move(key);
+  ++this->MaterialVersion;
+  return {};
 }
 
 SliceTextures& VolumeResources::GetTextures(vtkWindow* window)
@@ -172,31 +172,28 @@ vtkIdType VolumeResources::GetTextureBytes() const
     SliceTextures::GetBytes(this->State.Material) + SliceTextures::GetBytes(this->State.Scattering);
 }
 
-std::string VolumeResources::Upload(vtkOpenGLRenderWindow* window)
+Error VolumeResources::Upload(vtkOpenGLRenderWindow* window)
 {
   WindowResources& resources = *this->Windows[window];
   const VolumeRenderState& frame = this->State;
   SliceTextures& textures = resources.Textures;
-  std::string error;
+  Error error;
+  const auto upload = [&](const auto& data, int version, int& uploadedVersion)
+  {
+    if (!error && uploadedVersion != version)
+    {
+      error = textures.Upload(window, data);
+      uploadedVersion = error ? 0 : version;
+      this->UploadedBytes += SliceTextures::GetBytes(data);
+    }
+  };
   textures.SetMatter(frame.Matter);
-  if (!frame.Matter && resources.SamplesVersion != this->SamplesVersion)
+  if (!frame.Matter)
   {
-    error = textures.Upload(window, frame.Samples);
-    resources.SamplesVersion = error.empty() ? this->SamplesVersion : 0;
-    this->UploadedBytes += SliceTextures::GetBytes(frame.Samples);
+    upload(frame.Samples, this->SamplesVersion, resources.SamplesVersion);
+    upload(frame.Material, this->MaterialVersion, resources.MaterialVersion);
   }
-  if (error.empty() && !frame.Matter && resources.MaterialVersion != this->MaterialVersion)
-  {
-    error = textures.Upload(window, frame.Material);
-    resources.MaterialVersion = error.empty() ? this->MaterialVersion : 0;
-    this->UploadedBytes += SliceTextures::GetBytes(frame.Material);
-  }
-  if (error.empty() && resources.ScatteringVersion != this->Scatterer.GetVersion())
-  {
-    error = textures.Upload(window, frame.Scattering);
-    resources.ScatteringVersion = error.empty() ? this->Scatterer.GetVersion() : 0;
-    this->UploadedBytes += SliceTextures::GetBytes(frame.Scattering);
-  }
+  upload(frame.Scattering, this->Scatterer.GetVersion(), resources.ScatteringVersion);
   std::vector<vtkProjectiveLight*> screens;
   for (const LightSource& light : frame.Image->Lights)
   {
@@ -233,7 +230,7 @@ bool VolumeResources::AddScatteredLight(vtkOpenGLRenderWindow* window)
   return true;
 }
 
-std::string VolumeResources::UpdateData(vtkOpenGLRenderWindow* window)
+Error VolumeResources::UpdateData(vtkOpenGLRenderWindow* window)
 {
   std::unique_ptr<WindowResources>& resources = this->Windows[window];
   if (!resources)
@@ -243,34 +240,23 @@ std::string VolumeResources::UpdateData(vtkOpenGLRenderWindow* window)
   VolumeRenderState& state = this->State;
   state.IsSoftware = SoftwareOpenGL::IsUsed(window);
   state.Matter = this->Asked.Matter;
-  std::string error = this->UpdateSamples();
-  if (error.empty())
-  {
-    error = this->UpdateMaterial();
-  }
-  if (error.empty())
-  {
-    error = this->Scatterer.SetPhase(this->Asked.Settings, state.Scattering);
-  }
-  if (error.empty())
-  {
-    error =
-      state.Space.Set(this->Asked.Image, this->Asked.IsOfCells, this->Asked.Volume->GetMatrix());
-  }
-  if (error.empty())
-  {
-    error = state.Region.Set(this->Asked.Cuts, state.Space);
-  }
   // Magnitudes do not depend on the direction of an axis.
   const glm::dvec3 spacing = glm::abs(glm::make_vec3(this->Asked.Image->GetSpacing()));
   state.GradientSteps = (spacing.x + spacing.y + spacing.z) / 3.0 / spacing;
-  return error;
+  const Request& request = this->Asked;
+  return this->UpdateSamples()
+    .Then([&] { return this->UpdateMaterial(); })
+    .Then([&] { return this->Scatterer.SetPhase(request.Settings, state.Scattering); })
+    .Then([&]
+      { return state.Space.Set(request.Image, request.IsOfCells, request.Volume->GetMatrix()); })
+    .Then([&] { return state.Region.Set(request.Cuts, state.Space); });
 }
 
 void VolumeResources::MoveTo(const glm::dvec3& center, double radius)
 {
   this->State.Space.MoveTo(center, radius);
-  this->State.Region.Set(this->Asked.Cuts, this->State.Space);
+  // UpdateData has reported errors of clipping planes.
+  static_cast<void>(this->State.Region.Set(this->Asked.Cuts, this->State.Space));
 }
 
 void VolumeResources::SetImage(const ImageState& image, int number)
@@ -298,13 +284,13 @@ ScatteringUpdater::Volume VolumeResources::GetScatteringVolume() const
     this->Asked.Settings.ScatteringGridSize };
 }
 
-std::string VolumeResources::UpdateScattering(vtkRenderer* renderer,
+Error VolumeResources::UpdateScattering(vtkRenderer* renderer,
   const std::vector<ScatteringUpdater::Volume>& volumes, int lightSamples,
   const VolumeResources* other)
 {
   // A selection is drawn without lights, and what they have scattered is retained.
   return renderer->GetSelector()
-    ? std::string()
+    ? Error()
     : this->Scatterer.Solve(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()),
         this->State, volumes, this->Asked.Settings, lightSamples,
         other ? &other->Scatterer : nullptr, other ? &other->State.Scattering : nullptr);

@@ -2,6 +2,7 @@
 #ifndef interlume_VolumeResources_h
 #define interlume_VolumeResources_h
 
+#include "Common/Error.h"
 #include "Draw/ScatteringUpdater.h"
 #include "Shaders/VolumeRenderState.h"
 
@@ -55,14 +56,14 @@ public:
   /// The results of an image for the volume.
   struct Result
   {
-    /// Why the volume is not in the image; empty if it is.
-    std::string Error;
+    /// The error if the volume is not in the image.
+    interlume::Error Error;
     std::vector<std::string> Warnings;
   };
 
-  /// Begins an image with an empty report. \a error tells why the request cannot be rendered, or is
-  /// empty.
-  void SetRequest(const Request& request, const std::string& error);
+  /// Begins an image with an empty report. \a error is the result if the request cannot be
+  /// rendered.
+  void SetRequest(const Request& request, const Error& error);
   const Request& GetRequest() const { return this->Asked; }
   const VolumeRenderState& GetState() const { return this->State; }
   Result& GetResult() { return this->Results; }
@@ -70,18 +71,18 @@ public:
 
   ///@{
   /**
-   * The steps of an image. Each returns an error message, or an empty string on success: update
-   * samples and material, in the volume's own unit space; move to a unit space that volumes share;
-   * make the volume part of an image; update scattered light, from the medium of all volumes, or
-   * copy it from another volume that has the same; upload textures.
+   * The steps of an image, which return an error if they fail: update samples and material, in the
+   * volume's own unit space; move to a unit space that volumes share; make the volume part of an
+   * image; update scattered light, from the medium of all volumes, or copy it from another volume
+   * that has the same; upload textures.
    */
-  std::string UpdateData(vtkOpenGLRenderWindow* window);
+  Error UpdateData(vtkOpenGLRenderWindow* window);
   void MoveTo(const glm::dvec3& center, double radius);
   void SetImage(const ImageState& image, int number);
-  std::string UpdateScattering(vtkRenderer* renderer,
+  Error UpdateScattering(vtkRenderer* renderer,
     const std::vector<ScatteringUpdater::Volume>& volumes, int lightSamples,
     const VolumeResources* other);
-  std::string Upload(vtkOpenGLRenderWindow* window);
+  Error Upload(vtkOpenGLRenderWindow* window);
   ///@}
 
   /// Returns the input of ScatteringUpdater.
@@ -103,8 +104,8 @@ public:
 private:
   struct WindowResources;
 
-  std::string UpdateSamples();
-  std::string UpdateMaterial();
+  Error UpdateSamples();
+  Error UpdateMaterial();
 
   Request Asked;
   Result Results;

@@ -8,7 +8,7 @@
 namespace interlume
 {
 
-std::string LightImage::GetError(const std::string& name) const
+Error LightImage::GetError(const std::string& name) const
 {
   int size[3];
   this->Image->GetDimensions(size);
@@ -36,7 +36,7 @@ std::string LightImage::GetError(const std::string& name) const
     return name + " is of type " + scalars->GetDataTypeAsString() +
       ", not unsigned char or floating point";
   }
-  return "";
+  return {};
 }
 
 glm::dvec3 LightImage::GetSample(vtkIdType index) const

@@ -2,6 +2,7 @@
 #ifndef interlume_LightImage_h
 #define interlume_LightImage_h
 
+#include "Common/Error.h"
 #include "Common/Vectors.h"
 
 #include "vtkType.h" // for ids
@@ -30,8 +31,8 @@ public:
   {
   }
 
-  /// Returns what is wrong with the image, which the text calls \a name, or nothing.
-  std::string GetError(const std::string& name) const;
+  /// Returns an error if the image cannot be read. The message calls it \a name.
+  Error GetError(const std::string& name) const;
 
   /// Returns the colour of a sample.
   glm::dvec3 GetSample(vtkIdType index) const;

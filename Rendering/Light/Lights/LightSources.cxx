@@ -95,9 +95,9 @@ glm::dvec3 GetViewUp(const double viewUp[3], const Place& place)
   return glm::make_vec3(to);
 }
 
-// Fills the further values of an area light whose emitter has an extent; returns what is wrong, or
-// nothing.
-std::string SetEmitter(LightSource& source, const Place& place, const UnitSpace& space)
+// Sets the further values of an area light whose emitter has an extent. Returns an error if they
+// are not finite.
+Error SetEmitter(LightSource& source, const Place& place, const UnitSpace& space)
 {
   const glm::dvec3 viewUp = GetViewUp(source.Area->GetViewUp(), place);
   LightFrame frame;
@@ -109,11 +109,11 @@ std::string SetEmitter(LightSource& source, const Place& place, const UnitSpace&
   {
     return "its size or view up is not finite";
   }
-  return "";
+  return {};
 }
 
-// Multiplies the colours by that of the emitter's image; returns what is wrong, or nothing.
-std::string SetEmitterColor(LightSource& source, const vtkAreaLight* light)
+// Multiplies the colors by that of the emitter's image. Returns an error if that cannot be read.
+Error SetEmitterColor(LightSource& source, const vtkAreaLight* light)
 {
   glm::dvec3 color;
   light->GetEmitterColor(glm::value_ptr(color));
@@ -122,8 +122,8 @@ std::string SetEmitterColor(LightSource& source, const vtkAreaLight* light)
   return light->GetEmitterError();
 }
 
-// Fills the further values of a projective light; returns what is wrong, or nothing.
-std::string SetScreen(
+// Sets the further values of a projective light. Returns an error if it cannot shine.
+Error SetScreen(
   LightSource& source, const Place& place, const glm::dvec3& focalPoint, const UnitSpace& space)
 {
   const glm::dvec3 viewUp = GetViewUp(source.Projective->GetViewUp(), place);
@@ -137,9 +137,8 @@ std::string SetScreen(
   return source.Projective->GetImageError();
 }
 
-// Fills the values of a light; returns what is wrong, or nothing.
-std::string SetSource(
-  LightSource& source, vtkLight* light, vtkRenderer* renderer, const UnitSpace& space)
+// Sets the values of a light. Returns an error if it cannot shine.
+Error SetSource(LightSource& source, vtkLight* light, vtkRenderer* renderer, const UnitSpace& space)
 {
   source.Light = light;
   source.Projective = vtkProjectiveLight::SafeDownCast(light);
@@ -194,26 +193,18 @@ std::string SetSource(
     }
     source.Attenuation = attenuation;
   }
-  std::string error;
   if (source.Projective)
   {
-    error = SetScreen(source, place, focalPoint, space);
+    return SetScreen(source, place, focalPoint, space);
   }
-  if (area)
-  {
-    error = SetEmitterColor(source, area);
-  }
-  if (hasExtent && error.empty())
-  {
-    error = SetEmitter(source, place, space);
-  }
-  return error;
+  Error error = area ? SetEmitterColor(source, area) : Error();
+  return error || !hasExtent ? error : SetEmitter(source, place, space);
 }
 
 }
 
 std::vector<LightSource> LightSources::Gather(vtkRenderer* renderer, const UnitSpace& space,
-  const Settings& settings, std::vector<std::string>& errors)
+  const Settings& settings, std::vector<std::string>& warnings)
 {
   std::vector<LightSource> sources;
   vtkLightCollection* lights = renderer->GetLights();
@@ -226,10 +217,10 @@ std::vector<LightSource> LightSources::Gather(vtkRenderer* renderer, const UnitS
       continue;
     }
     LightSource source;
-    const std::string error = SetSource(source, light, renderer, space);
-    if (!error.empty())
+    if (const Error error = SetSource(source, light, renderer, space))
     {
-      errors.push_back("Light " + std::to_string(index) + " is left out: " + error + ".");
+      warnings.push_back(
+        "Light " + std::to_string(index) + " is left out: " + error.GetMessage() + ".");
       continue;
     }
     const bool shines = !IsBlack(source.Diffuse) || !IsBlack(source.Specular);

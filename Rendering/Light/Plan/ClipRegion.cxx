@@ -25,7 +25,7 @@ CroppingRegions::Matrix ToRows(const glm::dmat4& matrix)
 }
 }
 
-std::string ClipRegion::Set(const Cuts& cuts, const UnitSpace& space)
+Error ClipRegion::Set(const Cuts& cuts, const UnitSpace& space)
 {
   this->Box = space.Box;
   this->ClippingPlanes.clear();
@@ -36,14 +36,9 @@ std::string ClipRegion::Set(const Cuts& cuts, const UnitSpace& space)
       ToRows(space.VolumeFromTexture * space.TextureFromUnit));
     this->Regions.Cut(ToRows(space.VolumeFromTexture), this->Box, this->ClippingPlanes);
   }
-  return this->Clip(cuts.Planes, space);
-}
-
-std::string ClipRegion::Clip(vtkPlaneCollection* planes, const UnitSpace& space)
-{
-  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+  for (int i = 0; cuts.Planes && i < cuts.Planes->GetNumberOfItems(); ++i)
   {
-    vtkPlane* plane = planes->GetItem(i);
+    vtkPlane* plane = cuts.Planes->GetItem(i);
     double normal[3];
     double origin[3];
     plane->GetNormal(normal);

@@ -2,10 +2,10 @@
 #ifndef interlume_ClipRegion_h
 #define interlume_ClipRegion_h
 
+#include "Common/Error.h"
 #include "Offscreen/CroppingRegions.h"
 
 #include <array>
-#include <string>
 #include <vector>
 
 class vtkPlaneCollection;
@@ -35,9 +35,9 @@ public:
   /**
    * Takes the whole box of \a space less what \a cuts take away. The half spaces around the regions
    * that cropping keeps make the box smaller where they are along its axes, and are planes
-   * elsewhere. Returns an error message, or an empty string.
+   * elsewhere. Returns an error if a clipping plane has no normal.
    */
-  std::string Set(const Cuts& cuts, const UnitSpace& space);
+  Error Set(const Cuts& cuts, const UnitSpace& space);
 
   /// The box that is left, in texture coordinates.
   std::array<std::array<double, 2>, 3> Box{};
@@ -45,9 +45,6 @@ public:
   std::vector<std::array<double, 4>> ClippingPlanes;
   /// The regions that cropping leaves, with gaps or without, in unit space.
   CroppingRegions Regions;
-
-private:
-  std::string Clip(vtkPlaneCollection* planes, const UnitSpace& space);
 };
 
 }

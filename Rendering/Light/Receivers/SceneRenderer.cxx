@@ -159,9 +159,9 @@ bool SceneRenderer::Begin(
   }
   const UnitSpace space = MakeSpace(boxes.All);
   // Whoever draws the scene without this pass says nothing of such lights either.
-  std::vector<std::string> faults;
+  std::vector<std::string> warnings;
   this->Lights =
-    LightSources::Gather(renderer, space, { true, request.MaximumNumberOfShadows }, faults);
+    LightSources::Gather(renderer, space, { true, request.MaximumNumberOfShadows }, warnings);
   for (LightSource& light : this->Lights)
   {
     // One sample is the light's centre.
@@ -193,11 +193,11 @@ bool SceneRenderer::Begin(
     (!this->PaneCasters.empty() && !this->PaneViews.GetViews().empty());
 }
 
-std::string SceneRenderer::UpdateContext(vtkOpenGLRenderWindow* window)
+Error SceneRenderer::UpdateContext(vtkOpenGLRenderWindow* window)
 {
   if (!HasOpenGL32())
   {
-    return "OpenGL is older than 3.2";
+    return Error("OpenGL is older than 3.2", ErrorCode::OpenGL);
   }
   if (this->Window != window)
   {
@@ -208,18 +208,15 @@ std::string SceneRenderer::UpdateContext(vtkOpenGLRenderWindow* window)
   this->Placeholder->SetContext(window);
   const bool isMade = this->Placeholder->GetHandle() != 0 ||
     this->Placeholder->Create2DFromRaw(1, 1, 1, VTK_FLOAT, &texel);
-  return isMade ? "" : "the graphics card has no memory for a texture";
+  return isMade ? Error()
+                : Error("the graphics card has no memory for a texture", ErrorCode::OutOfMemory);
 }
 
-std::string SceneRenderer::DrawMaps(vtkRenderer* renderer, vtkShadowedSceneReport& report)
+Error SceneRenderer::DrawMaps(vtkRenderer* renderer, vtkShadowedSceneReport& report)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  std::string error = this->UpdateContext(window);
-  if (error.empty())
-  {
-    error = this->DrawPanes(renderer, report);
-  }
-  if (!this->Maps.HasViews() || !error.empty())
+  Error error = this->UpdateContext(window).Then([&] { return this->DrawPanes(renderer, report); });
+  if (!this->Maps.HasViews() || error)
   {
     this->Maps.ReleaseGraphicsResources(window);
     return error;
@@ -233,7 +230,7 @@ std::string SceneRenderer::DrawMaps(vtkRenderer* renderer, vtkShadowedSceneRepor
   return error;
 }
 
-std::string SceneRenderer::DrawEyeDepth(
+Error SceneRenderer::DrawEyeDepth(
   vtkRenderer* renderer, int channels, vtkShadowedSceneReport& report)
 {
   this->Scene.Casters = &this->Maps;
@@ -250,7 +247,7 @@ std::string SceneRenderer::DrawEyeDepth(
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &left, &bottom);
   if (size[0] <= 0 || size[1] <= 0 || !this->EyeDepth.Allocate(window, size[0], size[1]))
   {
-    return "the graphics card has no memory for the depth of actors";
+    return Error("the graphics card has no memory for the depth of actors", ErrorCode::OutOfMemory);
   }
   // What other renderers have left occludes as well.
   const bool isKept =
@@ -282,7 +279,7 @@ std::string SceneRenderer::DrawEyeDepth(
   return {};
 }
 
-std::string SceneRenderer::DrawPanes(vtkRenderer* renderer, vtkShadowedSceneReport& report)
+Error SceneRenderer::DrawPanes(vtkRenderer* renderer, vtkShadowedSceneReport& report)
 {
   const int views = static_cast<int>(this->PaneViews.GetViews().size());
   report.TranslucentActors = static_cast<int>(this->Panes.size());
@@ -295,7 +292,7 @@ std::string SceneRenderer::DrawPanes(vtkRenderer* renderer, vtkShadowedSceneRepo
     std::min(this->Settings.Resolution, CasterMaps::GetLargestResolution(views, 16384));
   this->IsOfDepths = true;
   this->Placeholder->Activate();
-  std::string error = this->PaneLight.Draw(renderer, this->PaneViews, this->PaneCasters, resolution,
+  Error error = this->PaneLight.Draw(renderer, this->PaneViews, this->PaneCasters, resolution,
     this->Settings.Bias, static_cast<std::size_t>(this->Settings.Layers), this->Layering);
   this->Placeholder->Deactivate();
   this->IsOfDepths = false;
@@ -304,29 +301,30 @@ std::string SceneRenderer::DrawPanes(vtkRenderer* renderer, vtkShadowedSceneRepo
   return error;
 }
 
-std::string SceneRenderer::PeelLayers(vtkRenderer* renderer, vtkShadowedSceneReport& report)
+Error SceneRenderer::PeelLayers(vtkRenderer* renderer, vtkShadowedSceneReport& report)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   const std::array<int, 2>& size = this->Scene.Size;
   // Programs are the same for layers and for the picture.
   if (!this->Transmittance.Make(window) || !this->LayerLight.Make(window))
   {
-    return "the graphics card has no memory for the light at translucent surfaces";
+    return Error("the graphics card has no memory for the light at translucent surfaces",
+      ErrorCode::OutOfMemory);
   }
   this->UpdateShader(renderer, true);
   this->IsOfDepths = true;
   this->Placeholder->Activate();
-  std::string error = this->Layers.GetDepths().Peel(window, size[0], this->OpaqueDepths,
+  Error error = this->Layers.GetDepths().Peel(window, size[0], this->OpaqueDepths,
     static_cast<std::size_t>(this->Settings.Layers), this->Layering,
     [&]() {
       LayerShader::DrawProps(renderer, this->Panes, { { 0, 0, size[0], size[1] } });
     });
   this->Placeholder->Deactivate();
   this->IsOfDepths = false;
-  if (error.empty() && this->Layers.GetNumber() > 0 &&
-    !this->Layers.Clear(window, size[0], size[1]))
+  if (!error && this->Layers.GetNumber() > 0 && !this->Layers.Clear(window, size[0], size[1]))
   {
-    error = "the graphics card has no memory for the picture of translucent surfaces";
+    error = Error("the graphics card has no memory for the picture of translucent surfaces",
+      ErrorCode::OutOfMemory);
   }
   report.EyeLayers = static_cast<int>(this->Layers.GetNumber());
   report.EyeLayerBytes = this->Layers.GetBytes();
@@ -370,9 +368,8 @@ void SceneRenderer::ShadeLayer(vtkRenderer* renderer, std::size_t layer)
   this->Deactivate();
 }
 
-std::string SceneRenderer::DrawSegments(vtkRenderer* renderer,
-  const std::function<void()>& drawVolumes, const std::function<void()>& showVolumes,
-  vtkShadowedSceneReport& report)
+Error SceneRenderer::DrawSegments(vtkRenderer* renderer, const std::function<void()>& drawVolumes,
+  const std::function<void()>& showVolumes, vtkShadowedSceneReport& report)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!this->IsLayered)
@@ -383,8 +380,7 @@ std::string SceneRenderer::DrawSegments(vtkRenderer* renderer,
     return {};
   }
   this->OpaqueDepths = this->Scene.EyeDepths;
-  std::string error = this->PeelLayers(renderer, report);
-  if (!error.empty())
+  if (Error error = this->PeelLayers(renderer, report))
   {
     return error;
   }

@@ -4,6 +4,7 @@
 
 #include "Casters/PropDepths.h"
 #include "Casters/SceneCasters.h"
+#include "Common/Error.h"
 #include "Lights/LightSource.h"
 #include "Receivers/ActorShader.h"
 #include "Receivers/LightTransmittance.h"
@@ -69,25 +70,24 @@ public:
   /// The props whose shaders are changed: all visible ones that have surfaces.
   std::vector<vtkProp*>& GetProps() { return this->Props; }
 
-  /// Draws the maps of lights, of opaque and translucent surfaces. Returns what is wrong, or
-  /// nothing.
-  std::string DrawMaps(vtkRenderer* renderer, vtkShadowedSceneReport& report);
+  /// Draws the maps of lights, of opaque and translucent surfaces. Returns an error if that fails.
+  Error DrawMaps(vtkRenderer* renderer, vtkShadowedSceneReport& report);
   /// Draws the depth that the eye sees, where there is something to see, for volumes whose light
-  /// has so many channels. Returns what is wrong, or nothing.
-  std::string DrawEyeDepth(vtkRenderer* renderer, int channels, vtkShadowedSceneReport& report);
+  /// has so many channels. Returns an error if there is no memory for it.
+  Error DrawEyeDepth(vtkRenderer* renderer, int channels, vtkShadowedSceneReport& report);
 
   /**
    * Draws translucent surfaces and volumes in order into one picture, which the volumes show then:
    * \a drawVolumes draws them for GetScene(), \a showVolumes lays what it drew over the framebuffer
    * that is bound. Without translucent surfaces that the eye sees it only calls the first. Returns
-   * what is wrong, or nothing.
+   * an error if the surfaces cannot be drawn.
    */
-  std::string DrawSegments(vtkRenderer* renderer, const std::function<void()>& drawVolumes,
+  Error DrawSegments(vtkRenderer* renderer, const std::function<void()>& drawVolumes,
     const std::function<void()>& showVolumes, vtkShadowedSceneReport& report);
 
   /// What volumes of this frame are drawn with, after DrawEyeDepth.
   SliceScene& GetScene() { return this->Scene; }
-  /// Makes the shaders of props; \a isShadowed is false where something was wrong.
+  /// Makes the shaders of props. \a isShadowed is false after an error.
   void MakeShader(vtkRenderer* renderer, bool isShadowed, vtkShadowedSceneReport& report);
 
   /// Binds the textures that shaders of props read.
@@ -120,9 +120,9 @@ private:
 
   /// Sorts the visible props of the renderer. Returns whether there are others that hide volumes.
   bool SortProps(vtkRenderer* renderer, Boxes& boxes, vtkShadowedSceneReport& report);
-  std::string UpdateContext(vtkOpenGLRenderWindow* window);
-  std::string DrawPanes(vtkRenderer* renderer, vtkShadowedSceneReport& report);
-  std::string PeelLayers(vtkRenderer* renderer, vtkShadowedSceneReport& report);
+  Error UpdateContext(vtkOpenGLRenderWindow* window);
+  Error DrawPanes(vtkRenderer* renderer, vtkShadowedSceneReport& report);
+  Error PeelLayers(vtkRenderer* renderer, vtkShadowedSceneReport& report);
   void BeginSegment(std::size_t segment);
   void Deactivate();
   void ShadeLayer(vtkRenderer* renderer, std::size_t layer);

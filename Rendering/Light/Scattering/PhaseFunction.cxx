@@ -20,7 +20,7 @@ void PhaseFunction::SetIsotropic()
   this->Anisotropy = 0.0;
 }
 
-std::string PhaseFunction::SetHenyeyGreenstein(double g)
+Error PhaseFunction::SetHenyeyGreenstein(double g)
 {
   if (!(std::abs(g) < 1.0))
   {
@@ -32,7 +32,7 @@ std::string PhaseFunction::SetHenyeyGreenstein(double g)
   return {};
 }
 
-std::string PhaseFunction::SetTable(const std::vector<double>& values)
+Error PhaseFunction::SetTable(const std::vector<double>& values)
 {
   if (values.size() < 2)
   {

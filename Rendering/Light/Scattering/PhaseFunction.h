@@ -2,7 +2,8 @@
 #ifndef interlume_PhaseFunction_h
 #define interlume_PhaseFunction_h
 
-#include <string>
+#include "Common/Error.h"
+
 #include <vector>
 
 namespace interlume
@@ -22,16 +23,16 @@ public:
   void SetIsotropic();
   /**
    * Henyey and Greenstein's p = (1 - g^2) / (4 pi (1 + g^2 - 2 g cosine)^1.5) with the mean cosine
-   * g, of which \a g is the value; between -1 and 1, these excluded. Returns what is wrong, or
-   * nothing; the function stays as it is where something is.
+   * g, of which \a g is the value; between -1 and 1, these excluded. Returns an error
+   * for other values; the function does not change then.
    */
-  std::string SetHenyeyGreenstein(double g);
+  Error SetHenyeyGreenstein(double g);
   /**
    * Linear between \a values at cosines that are evenly spaced from -1 (light that goes back) to 1
-   * (light that goes on), 2 at least, scaled so that it is normalised. Returns what is wrong:
-   * values that are negative, not finite or all 0.
+   * (light that goes on), 2 at least, scaled so that it is normalised. Returns an error if a
+   * value is negative or not finite, or all are 0.
    */
-  std::string SetTable(const std::vector<double>& values);
+  Error SetTable(const std::vector<double>& values);
 
   /// Returns p at a cosine, which is clamped to -1 to 1.
   double Value(double cosine) const;

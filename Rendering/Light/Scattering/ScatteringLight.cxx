@@ -31,7 +31,7 @@ void ScatteringLight::Fill(const ScatteringMedium& medium, const glm::vec3& colo
   }
 }
 
-std::string ScatteringLight::Check(std::size_t cells) const
+Error ScatteringLight::Check(std::size_t cells) const
 {
   if (this->Direct.size() != cells)
   {

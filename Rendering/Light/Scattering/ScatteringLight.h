@@ -2,9 +2,9 @@
 #ifndef interlume_ScatteringLight_h
 #define interlume_ScatteringLight_h
 
+#include "Common/Error.h"
 #include "Scattering/ScatteringMedium.h"
 
-#include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -38,8 +38,8 @@ struct ScatteringLight
    * CellLight finds.
    */
   void Fill(const ScatteringMedium& medium, const glm::vec3& color);
-  /// Returns what is wrong: a number of values other than \a cells, a direction without length.
-  std::string Check(std::size_t cells) const;
+  /// Returns an error if the number of values is not \a cells, or the direction is not of length 1.
+  Error Check(std::size_t cells) const;
 };
 
 }

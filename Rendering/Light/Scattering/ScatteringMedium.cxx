@@ -12,7 +12,7 @@ std::size_t ScatteringMedium::GetNumberOfCells() const
     static_cast<std::size_t>(this->Cells.z);
 }
 
-std::string ScatteringMedium::Check() const
+Error ScatteringMedium::Check() const
 {
   for (int axis = 0; axis < 3; ++axis)
   {

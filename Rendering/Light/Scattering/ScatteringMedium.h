@@ -2,10 +2,10 @@
 #ifndef interlume_ScatteringMedium_h
 #define interlume_ScatteringMedium_h
 
+#include "Common/Error.h"
 #include "Scattering/PhaseFunction.h"
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -50,8 +50,8 @@ struct ScatteringMedium
         static_cast<std::size_t>(this->Cells.y) * static_cast<std::size_t>(cell.z));
   }
   bool IsBlocked(std::size_t cell) const { return !this->Blocked.empty() && this->Blocked[cell]; }
-  /// Returns what is wrong with sizes, or nothing.
-  std::string Check() const;
+  /// Returns an error if a size is not valid.
+  Error Check() const;
 };
 
 }

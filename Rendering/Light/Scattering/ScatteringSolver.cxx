@@ -397,21 +397,20 @@ private:
 
 }
 
-std::string ScatteringSolver::Solve(const ScatteringMedium& medium,
+Error ScatteringSolver::Solve(const ScatteringMedium& medium,
   const std::vector<ScatteringLight>& lights, ScatteringMode mode,
   const ScatteringSettings& settings, ScatteringField& field, ScatteringReport& report)
 {
   field = ScatteringField();
   report = ScatteringReport();
-  std::string wrong = medium.Check();
-  const std::size_t cells = wrong.empty() ? medium.GetNumberOfCells() : 0;
+  Error error = medium.Check();
   for (const ScatteringLight& light : lights)
   {
-    wrong = wrong.empty() ? light.Check(cells) : wrong;
+    error = error ? error : light.Check(medium.GetNumberOfCells());
   }
-  if (!wrong.empty())
+  if (error)
   {
-    return wrong;
+    return error;
   }
   Solution solution(medium, lights, settings, field, report);
   if (mode == ScatteringMode::Forward)

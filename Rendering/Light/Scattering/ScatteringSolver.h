@@ -2,12 +2,12 @@
 #ifndef interlume_ScatteringSolver_h
 #define interlume_ScatteringSolver_h
 
+#include "Common/Error.h"
 #include "Scattering/ScatteringField.h"
 #include "Scattering/ScatteringLight.h"
 #include "Scattering/ScatteringMedium.h"
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace interlume
@@ -70,10 +70,10 @@ struct ScatteringReport
 class ScatteringSolver
 {
 public:
-  /// Returns what is wrong, or nothing; \a field is empty where something is.
-  static std::string Solve(const ScatteringMedium& medium,
-    const std::vector<ScatteringLight>& lights, ScatteringMode mode,
-    const ScatteringSettings& settings, ScatteringField& field, ScatteringReport& report);
+  /// Returns an error if the medium or a light is not valid; \a field is empty then.
+  static Error Solve(const ScatteringMedium& medium, const std::vector<ScatteringLight>& lights,
+    ScatteringMode mode, const ScatteringSettings& settings, ScatteringField& field,
+    ScatteringReport& report);
 };
 
 }

@@ -186,15 +186,16 @@ vtkIdType SliceTextures::GetBytes(const SliceScattering& scattering)
     static_cast<vtkIdType>(scattering.Phases.size() + scattering.Texels.size());
 }
 
-std::string SliceTextures::Upload(vtkOpenGLRenderWindow* window, const VolumeSamples& samples)
+Error SliceTextures::Upload(vtkOpenGLRenderWindow* window, const VolumeSamples& samples)
 {
   GLint limit = 0;
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &limit);
   const int largest = *std::max_element(samples.Size.begin(), samples.Size.end());
   if (largest > limit)
   {
-    return "the volume has " + std::to_string(largest) +
-      " samples along an axis, and textures here at most " + std::to_string(limit);
+    return Error("the volume has " + std::to_string(largest) +
+        " samples along an axis, and textures here at most " + std::to_string(limit),
+      ErrorCode::OpenGL);
   }
   const auto create = [&](vtkTextureObject* texture, int components, int type, const void* values)
   {
@@ -221,13 +222,14 @@ std::string SliceTextures::Upload(vtkOpenGLRenderWindow* window, const VolumeSam
   {
     this->Volume->ReleaseGraphicsResources(window);
     this->Mask->ReleaseGraphicsResources(window);
-    return "the graphics card has no memory for " + std::to_string(GetBytes(samples)) +
-      " bytes of the volume";
+    return Error("the graphics card has no memory for " + std::to_string(GetBytes(samples)) +
+        " bytes of the volume",
+      ErrorCode::OutOfMemory);
   }
   return {};
 }
 
-std::string SliceTextures::Upload(vtkOpenGLRenderWindow* window, const MaterialTable& material)
+Error SliceTextures::Upload(vtkOpenGLRenderWindow* window, const MaterialTable& material)
 {
   ForgetErrors();
   constexpr int columns = MaterialTable::Columns;
@@ -254,11 +256,11 @@ std::string SliceTextures::Upload(vtkOpenGLRenderWindow* window, const MaterialT
   this->ExtinctionSums->ReleaseGraphicsResources(window);
   this->SumTexels = MakeSums(material);
   return glGetError() == GL_NO_ERROR
-    ? std::string()
-    : std::string("the graphics card has no memory for the transfer functions");
+    ? Error()
+    : Error("the graphics card has no memory for the transfer functions", ErrorCode::OutOfMemory);
 }
 
-std::string SliceTextures::Upload(vtkOpenGLRenderWindow* window, const SliceScattering& scattering)
+Error SliceTextures::Upload(vtkOpenGLRenderWindow* window, const SliceScattering& scattering)
 {
   ForgetErrors();
   UploadTable(window, this->Phases, SliceScattering::PhaseColumns, scattering.Phases, 1);
@@ -284,9 +286,11 @@ std::string SliceTextures::Upload(vtkOpenGLRenderWindow* window, const SliceScat
       static_cast<unsigned int>(size.y), static_cast<unsigned int>(size.z), 4, VTK_FLOAT,
       const_cast<float*>(scattering.Texels.data()));
   }
-  return glGetError() == GL_NO_ERROR ? std::string()
-                                     : "the graphics card has no memory for " +
-      std::to_string(GetBytes(scattering)) + " bytes of scattered light";
+  return glGetError() == GL_NO_ERROR
+    ? Error()
+    : Error("the graphics card has no memory for " + std::to_string(GetBytes(scattering)) +
+          " bytes of scattered light",
+        ErrorCode::OutOfMemory);
 }
 
 void SliceTextures::Activate(vtkShaderProgram* program)

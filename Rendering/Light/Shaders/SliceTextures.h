@@ -2,12 +2,12 @@
 #ifndef interlume_SliceTextures_h
 #define interlume_SliceTextures_h
 
+#include "Common/Error.h"
 #include "Lights/ScreenTextures.h"
 
 #include "vtkNew.h"
 #include "vtkType.h"
 
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -42,11 +42,11 @@ public:
   ///@}
 
   ///@{
-  /// Sends the samples, or the tables of the material, to the graphics card. Returns what is wrong,
-  /// or nothing.
-  std::string Upload(vtkOpenGLRenderWindow* window, const VolumeSamples& samples);
-  std::string Upload(vtkOpenGLRenderWindow* window, const MaterialTable& material);
-  std::string Upload(vtkOpenGLRenderWindow* window, const SliceScattering& scattering);
+  /// Sends the samples, the tables of the material, or scattered light to the graphics card.
+  /// Returns an error if they do not fit.
+  Error Upload(vtkOpenGLRenderWindow* window, const VolumeSamples& samples);
+  Error Upload(vtkOpenGLRenderWindow* window, const MaterialTable& material);
+  Error Upload(vtkOpenGLRenderWindow* window, const SliceScattering& scattering);
   ///@}
 
   /// The matter that is looked up in textures of its own, which are bound with these; null for

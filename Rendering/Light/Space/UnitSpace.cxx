@@ -92,7 +92,7 @@ void UnitSpace::SetSphere(const glm::dmat4& worldFromTexture, const glm::dvec3& 
   }
 }
 
-std::string UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* worldFromVolume)
+Error UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* worldFromVolume)
 {
   glm::dvec3 first;
   glm::dvec3 index;

@@ -2,8 +2,9 @@
 #ifndef interlume_UnitSpace_h
 #define interlume_UnitSpace_h
 
+#include "Common/Error.h"
+
 #include <array>
-#include <string>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -29,10 +30,10 @@ class UnitSpace
 public:
   /**
    * Sets the coordinates from the image's index-to-physical matrix and \a worldFromVolume, the
-   * matrix of the vtkVolume; \a isOfCells tells that the samples are those of cells. Returns what
-   * is wrong (a matrix that is singular or not finite), or nothing.
+   * matrix of the vtkVolume; \a isOfCells tells that the samples are those of cells. Returns an
+   * error if a matrix is singular or not finite.
    */
-  std::string Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* worldFromVolume);
+  Error Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* worldFromVolume);
 
   /// Moves to another sphere, which several volumes share: from now on x_world = \a center +
   /// \a radius x_unit.

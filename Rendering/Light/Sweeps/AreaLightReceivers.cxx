@@ -29,9 +29,9 @@ std::string GetStackName(std::size_t stack)
 }
 }
 
-std::string AreaLightReceivers::Prepare(vtkOpenGLRenderWindow* window,
-  const VolumeRenderState& frame, const SlicePlan::ShadowedLight& light,
-  const EmitterSampleLayers& layers, vtkOpenGLBufferObject* vertices)
+Error AreaLightReceivers::Prepare(vtkOpenGLRenderWindow* window, const VolumeRenderState& frame,
+  const SlicePlan::ShadowedLight& light, const EmitterSampleLayers& layers,
+  vtkOpenGLBufferObject* vertices)
 {
   const SceneCasters& casters = *frame.Image->Scene->Casters;
   const std::string share = casters.GetSampleShare(frame.Image->Lights[light.Light].Light,

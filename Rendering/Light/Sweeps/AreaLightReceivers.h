@@ -3,10 +3,10 @@
 #define interlume_AreaLightReceivers_h
 
 #include "Buffers/SlicePass.h"
+#include "Common/Error.h"
 #include "Plan/SlicePlan.h"
 
 #include <cstddef>
-#include <string>
 
 class vtkOpenGLBufferObject;
 class vtkOpenGLRenderWindow;
@@ -29,8 +29,8 @@ struct VolumeRenderState;
 class AreaLightReceivers
 {
 public:
-  /// Compiles the program, for points in \a vertices. Returns what is wrong, or nothing.
-  std::string Prepare(vtkOpenGLRenderWindow* window, const VolumeRenderState& frame,
+  /// Compiles the program, for points in \a vertices. Returns an error if that fails.
+  Error Prepare(vtkOpenGLRenderWindow* window, const VolumeRenderState& frame,
     const SlicePlan::ShadowedLight& light, const EmitterSampleLayers& layers,
     vtkOpenGLBufferObject* vertices);
 

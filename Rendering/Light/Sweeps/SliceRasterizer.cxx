@@ -39,17 +39,17 @@ SliceRasterizer::SliceRasterizer() = default;
 
 SliceRasterizer::~SliceRasterizer() = default;
 
-std::string SliceRasterizer::FindFault(vtkOpenGLRenderWindow* window)
+Error SliceRasterizer::FindError(vtkOpenGLRenderWindow* window)
 {
   if (!window)
   {
-    return "the render window is not an OpenGL one";
+    return Error("the render window is not an OpenGL one", ErrorCode::OpenGL);
   }
   window->MakeCurrent();
-  return HasOpenGL32() ? std::string() : std::string("OpenGL is older than 3.2");
+  return HasOpenGL32() ? Error() : Error("OpenGL is older than 3.2", ErrorCode::OpenGL);
 }
 
-std::string SliceRasterizer::PrepareImage()
+Error SliceRasterizer::PrepareImage()
 {
   vtkOpenGLRenderWindow* window = this->Window;
   vtkShadowedSliceReport& report = *this->Report;
@@ -57,7 +57,7 @@ std::string SliceRasterizer::PrepareImage()
   vtkIdType bytes = FloatTexture::Allocate(window, this->Image, width, height, 4, true);
   if (bytes == 0)
   {
-    return "the graphics card has no memory for a picture of floats";
+    return Error("the graphics card has no memory for a picture of floats", ErrorCode::OutOfMemory);
   }
   report.ImageBuffers = 1;
   report.ImageBufferBytes = bytes;
@@ -66,7 +66,8 @@ std::string SliceRasterizer::PrepareImage()
     bytes = FloatTexture::Allocate(window, this->SweepImage, width, height, 4, false);
     if (bytes == 0)
     {
-      return "the graphics card has no memory for a second picture of floats";
+      return Error(
+        "the graphics card has no memory for a second picture of floats", ErrorCode::OutOfMemory);
     }
     ++report.ImageBuffers;
     report.ImageBufferBytes += bytes;
@@ -91,8 +92,8 @@ std::string SliceRasterizer::PrepareImage()
   this->ImageFramebuffer->ActivateDrawBuffer(0);
   const char* status = nullptr;
   return vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_DRAW_FRAMEBUFFER, status)
-    ? std::string()
-    : std::string("a framebuffer of floats cannot be drawn to");
+    ? Error()
+    : Error("a framebuffer of floats cannot be drawn to", ErrorCode::OpenGL);
 }
 
 SliceLightBuffer& SliceRasterizer::GetLightBuffer(int light)
@@ -108,7 +109,7 @@ SliceLightBuffer& SliceRasterizer::GetLightBuffer(int light)
   return *this->Lights.back();
 }
 
-std::string SliceRasterizer::PrepareLights(const Sweep& sweep)
+Error SliceRasterizer::PrepareLights(const Sweep& sweep)
 {
   std::vector<const SlicePolygons*> polygons;
   for (const std::unique_ptr<VolumeSlices>& slices : this->Slices)
@@ -118,9 +119,8 @@ std::string SliceRasterizer::PrepareLights(const Sweep& sweep)
   for (const SlicePlan::ShadowedLight& light : sweep.Lights)
   {
     // A light of several sweeps has its buffer in each in turn.
-    std::string error =
-      this->GetLightBuffer(light.Light).Prepare(this->Window, *this->State, sweep, light, polygons);
-    if (!error.empty())
+    if (Error error = this->GetLightBuffer(light.Light)
+                        .Prepare(this->Window, *this->State, sweep, light, polygons))
     {
       return error;
     }
@@ -178,7 +178,7 @@ void SliceRasterizer::UpdateOpaqueDepth(vtkRenderer* renderer)
     this->Opaque, scene ? scene->FrontDepth : nullptr, glm::inverse(this->State->Eye.ClipFromUnit));
 }
 
-std::string SliceRasterizer::DrawSweeps()
+Error SliceRasterizer::DrawSweeps()
 {
   vtkOpenGLState* state = this->Window->GetState();
   const ScopedState scoped(state);
@@ -189,11 +189,11 @@ std::string SliceRasterizer::DrawSweeps()
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglDepthFunc(GL_LESS);
   const SlicePlan& plan = this->State->Plan;
-  std::string error = this->PrepareImage();
-  for (std::size_t i = 0; i < plan.Sweeps.size() && error.empty(); ++i)
+  Error error = this->PrepareImage();
+  for (std::size_t i = 0; i < plan.Sweeps.size() && !error; ++i)
   {
     error = this->DrawSweep(i);
-    if (error.empty() && plan.IsLastOfPicture(i) && !plan.IsOfFirstPicture(i))
+    if (!error && plan.IsLastOfPicture(i) && !plan.IsOfFirstPicture(i))
     {
       this->AddSweep();
     }
@@ -201,7 +201,7 @@ std::string SliceRasterizer::DrawSweeps()
   return error;
 }
 
-std::string SliceRasterizer::Draw(vtkRenderer* renderer, const ImageState& image,
+Error SliceRasterizer::Draw(vtkRenderer* renderer, const ImageState& image,
   const std::vector<Volume>& volumes, vtkShadowedSliceReport& report)
 {
   this->Window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -216,7 +216,7 @@ std::string SliceRasterizer::Draw(vtkRenderer* renderer, const ImageState& image
   this->HasImage = false;
   vtkOpenGLState* state = this->Window->GetState();
   state->PushFramebufferBindings();
-  std::string error = this->DrawSweeps();
+  Error error = this->DrawSweeps();
   state->PopFramebufferBindings();
   this->ReleaseUnusedLights();
   for (const std::unique_ptr<SliceLightBuffer>& buffer : this->Lights)
@@ -229,7 +229,7 @@ std::string SliceRasterizer::Draw(vtkRenderer* renderer, const ImageState& image
       std::max(report.LightBufferSize, static_cast<int>(buffer->GetTexture()->GetWidth()));
     report.LightChannels = buffer->GetTexture()->GetComponents();
   }
-  this->HasImage = error.empty();
+  this->HasImage = !error;
   return error;
 }
 
@@ -328,27 +328,20 @@ void SliceRasterizer::MarkImage()
   ++this->Report->OcclusionPasses;
 }
 
-std::string SliceRasterizer::PrepareVolume(std::size_t sweepIndex, std::size_t number)
+Error SliceRasterizer::PrepareVolume(std::size_t sweepIndex, std::size_t number)
 {
   const Sweep& sweep = this->State->Plan.Sweeps[sweepIndex];
   VolumeSlices& slices = *this->Slices[number];
-  std::string error = slices.Prepare(this->Window, sweepIndex, this->IsOccluded(), this->HasMarks,
+  Error error = slices.Prepare(this->Window, sweepIndex, this->IsOccluded(), this->HasMarks,
     [&](vtkShaderProgram* program) { this->ActivateTextures(sweepIndex, program); });
   std::vector<SliceLightBuffer*> buffers;
   for (const SlicePlan::ShadowedLight& light : sweep.Lights)
   {
-    SliceLightBuffer& buffer = this->GetLightBuffer(light.Light);
-    buffers.push_back(&buffer);
-    if (error.empty())
-    {
-      error = buffer.PrepareVolume(this->Window, number, slices);
-    }
+    buffers.push_back(&this->GetLightBuffer(light.Light));
+    error = error ? error : buffers.back()->PrepareVolume(this->Window, number, slices);
   }
-  if (error.empty() && this->HasReceivers)
-  {
-    error = this->Receivers.Prepare(this->Window, slices, buffers);
-  }
-  return error;
+  return error || !this->HasReceivers ? error
+                                      : this->Receivers.Prepare(this->Window, slices, buffers);
 }
 
 void SliceRasterizer::FindOrder(std::size_t sweepIndex)
@@ -373,7 +366,7 @@ void SliceRasterizer::FindOrder(std::size_t sweepIndex)
   this->Order.Find(sweep, this->State->Eye, this->State->Lights, volumes);
 }
 
-std::string SliceRasterizer::PrepareVolumes(std::size_t sweepIndex)
+Error SliceRasterizer::PrepareVolumes(std::size_t sweepIndex)
 {
   const Sweep& sweep = this->State->Plan.Sweeps[sweepIndex];
   this->FindOrder(sweepIndex);
@@ -382,8 +375,8 @@ std::string SliceRasterizer::PrepareVolumes(std::size_t sweepIndex)
   {
     this->Receivers.Begin(this->Slices, sweepIndex);
   }
-  std::string error = this->PrepareLights(sweep);
-  if (!error.empty())
+  Error error = this->PrepareLights(sweep);
+  if (error)
   {
     return error;
   }
@@ -393,7 +386,7 @@ std::string SliceRasterizer::PrepareVolumes(std::size_t sweepIndex)
     this->Active.push_back(this->GetLightBuffer(light.Light).GetTexture());
     this->Active.back()->Activate();
   }
-  for (std::size_t i = 0; i < this->Slices.size() && error.empty(); ++i)
+  for (std::size_t i = 0; i < this->Slices.size() && !error; ++i)
   {
     error = this->PrepareVolume(sweepIndex, i);
     this->Bound = i;
@@ -411,7 +404,7 @@ bool SliceRasterizer::IsEmpty(int slab) const
     [slab](const std::unique_ptr<VolumeSlices>& slices) { return slices->IsEmpty(slab); });
 }
 
-std::string SliceRasterizer::DrawSweep(std::size_t sweepIndex)
+Error SliceRasterizer::DrawSweep(std::size_t sweepIndex)
 {
   const Sweep& sweep = this->State->Plan.Sweeps[sweepIndex];
   vtkShadowedSliceReport& report = *this->Report;
@@ -427,8 +420,7 @@ std::string SliceRasterizer::DrawSweep(std::size_t sweepIndex)
     return {};
   }
 
-  const std::string error = this->PrepareVolumes(sweepIndex);
-  if (!error.empty())
+  if (Error error = this->PrepareVolumes(sweepIndex))
   {
     this->DeactivateTextures();
     return error;

@@ -5,6 +5,7 @@
 #include "Buffers/SliceLightBuffer.h"
 #include "Buffers/SliceOcclusion.h"
 #include "Buffers/VolumeSlices.h"
+#include "Common/Error.h"
 #include "Offscreen/ImageQuad.h"
 #include "Offscreen/PropSelection.h"
 #include "Plan/SlabOrder.h"
@@ -17,7 +18,6 @@
 #include "vtkShadowedSliceReport.h"
 
 #include <memory>
-#include <string>
 #include <vector>
 
 class vtkImageData;
@@ -49,8 +49,8 @@ public:
   SliceRasterizer();
   ~SliceRasterizer();
 
-  /// Returns why nothing can be drawn in this window, or an empty string.
-  static std::string FindFault(vtkOpenGLRenderWindow* window);
+  /// Returns an error if nothing can be drawn in this window.
+  static Error FindError(vtkOpenGLRenderWindow* window);
 
   /// A volume of an image.
   struct Volume
@@ -61,10 +61,10 @@ public:
 
   /**
    * Draws all sweeps into the image's buffer, through volumes that are numbered one by one. Stops
-   * between slabs if the user aborts. Returns an error message, or an empty string on success.
+   * between slabs if the user aborts. Returns an error if the image is not complete.
    */
-  std::string Draw(vtkRenderer* renderer, const ImageState& image,
-    const std::vector<Volume>& volumes, vtkShadowedSliceReport& report);
+  Error Draw(vtkRenderer* renderer, const ImageState& image, const std::vector<Volume>& volumes,
+    vtkShadowedSliceReport& report);
 
   /// Returns whether opaque surfaces occluded volumes of the last image.
   bool IsOccluded() const { return this->Opaque != nullptr; }
@@ -83,17 +83,17 @@ private:
   void SetVolumes(const std::vector<Volume>& volumes);
   /// Finds the depth of the surfaces that occlude volumes.
   void UpdateOpaqueDepth(vtkRenderer* renderer);
-  std::string PrepareImage();
+  Error PrepareImage();
   SliceLightBuffer& GetLightBuffer(int light);
-  std::string PrepareLights(const SlicePlan::Sweep& sweep);
+  Error PrepareLights(const SlicePlan::Sweep& sweep);
   void ReleaseUnusedLights();
-  std::string DrawSweeps();
-  std::string DrawSweep(std::size_t sweepIndex);
+  Error DrawSweeps();
+  Error DrawSweep(std::size_t sweepIndex);
   /// Finds the order in which volumes are drawn, and what some of them need.
   void FindOrder(std::size_t sweepIndex);
   /// Prepares the programs of all volumes.
-  std::string PrepareVolumes(std::size_t sweepIndex);
-  std::string PrepareVolume(std::size_t sweepIndex, std::size_t number);
+  Error PrepareVolumes(std::size_t sweepIndex);
+  Error PrepareVolume(std::size_t sweepIndex, std::size_t number);
   /// Binds the textures that all volumes share.
   void ActivateTextures(std::size_t sweepIndex, vtkShaderProgram* program);
   void DeactivateTextures();

@@ -185,7 +185,7 @@ void SliceReceivers::Begin(
   }
 }
 
-std::string SliceReceivers::Prepare(vtkOpenGLRenderWindow* window, VolumeSlices& slices,
+Error SliceReceivers::Prepare(vtkOpenGLRenderWindow* window, VolumeSlices& slices,
   const std::vector<SliceLightBuffer*>& buffers)
 {
   this->Lights.emplace_back();
@@ -204,9 +204,8 @@ std::string SliceReceivers::Prepare(vtkOpenGLRenderWindow* window, VolumeSlices&
       continue;
     }
     light.Pass = std::make_unique<SlicePass>();
-    std::string error =
-      light.Pass->Prepare(window, SliceShader::GetReceiverSource(frame, shadowed), this->Vertices);
-    if (!error.empty())
+    if (Error error = light.Pass->Prepare(
+          window, SliceShader::GetReceiverSource(frame, shadowed), this->Vertices))
     {
       return error;
     }
@@ -220,8 +219,7 @@ std::string SliceReceivers::Prepare(vtkOpenGLRenderWindow* window, VolumeSlices&
     if (layers && frame.Number == 0)
     {
       light.Behind = std::make_unique<AreaLightReceivers>();
-      error = light.Behind->Prepare(window, frame, shadowed, *layers, this->Vertices);
-      if (!error.empty())
+      if (Error error = light.Behind->Prepare(window, frame, shadowed, *layers, this->Vertices))
       {
         return error;
       }

@@ -3,6 +3,7 @@
 #define interlume_SliceReceivers_h
 
 #include "Buffers/SlicePass.h"
+#include "Common/Error.h"
 #include "Plan/SlicePlan.h"
 #include "Sweeps/AreaLightReceivers.h"
 
@@ -10,7 +11,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <string>
 #include <vector>
 
 class vtkOpenGLBufferObject;
@@ -45,9 +45,9 @@ public:
 
   /**
    * Makes a volume's programs ready, the first one's first. \a buffers are those of the sweep's
-   * lights, whose textures are active. Returns what is wrong, or nothing.
+   * lights, whose textures are active. Returns an error if a program cannot be compiled.
    */
-  std::string Prepare(vtkOpenGLRenderWindow* window, VolumeSlices& slices,
+  Error Prepare(vtkOpenGLRenderWindow* window, VolumeSlices& slices,
     const std::vector<SliceLightBuffer*>& buffers);
 
   /// Whether there are surfaces left up to the end of a slab, whose matter the buffers do not have

@@ -13,14 +13,13 @@ DepthLayers::DepthLayers() = default;
 
 DepthLayers::~DepthLayers() = default;
 
-std::string DepthLayers::Peel(vtkOpenGLRenderWindow* window, int width,
-  const std::vector<float>& behind, std::size_t most, LayerShader& shader,
-  const std::function<void()>& draw)
+Error DepthLayers::Peel(vtkOpenGLRenderWindow* window, int width, const std::vector<float>& behind,
+  std::size_t most, LayerShader& shader, const std::function<void()>& draw)
 {
   const int height = static_cast<int>(behind.size()) / width;
   std::size_t found = 0;
-  std::string error;
-  for (bool isLast = false; !isLast && error.empty(); found += isLast ? 0 : 1)
+  Error error;
+  for (bool isLast = false; !isLast && !error; found += isLast ? 0 : 1)
   {
     if (found == this->Layers.size())
     {
@@ -31,7 +30,8 @@ std::string DepthLayers::Peel(vtkOpenGLRenderWindow* window, int width,
     layer.HasRest = false;
     if (!LayerTarget::Upload(window, layer.Texture, width, height, 1, behind))
     {
-      error = "the graphics card has no memory for layers of translucent surfaces";
+      error = Error("the graphics card has no memory for layers of translucent surfaces",
+        ErrorCode::OutOfMemory);
       break;
     }
     vtkTextureObject* before = found > 0 ? this->Layers[found - 1].Texture.Get() : nullptr;

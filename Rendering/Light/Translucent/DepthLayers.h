@@ -2,13 +2,13 @@
 #ifndef interlume_DepthLayers_h
 #define interlume_DepthLayers_h
 
+#include "Common/Error.h"
 #include "Translucent/LayerTarget.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <functional>
-#include <string>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
@@ -43,9 +43,9 @@ public:
 
   /**
    * Peels what \a draw draws, in front of the depths \a behind, \a width times as many, into \a
-   * most layers. Returns what is wrong, or nothing.
+   * most layers. Returns an error if there is no memory for them.
    */
-  std::string Peel(vtkOpenGLRenderWindow* window, int width, const std::vector<float>& behind,
+  Error Peel(vtkOpenGLRenderWindow* window, int width, const std::vector<float>& behind,
     std::size_t most, LayerShader& shader, const std::function<void()>& draw);
 
   const std::vector<Layer>& Get() const { return this->Layers; }

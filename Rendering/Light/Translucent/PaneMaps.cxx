@@ -22,7 +22,7 @@ PaneMaps::PaneMaps() = default;
 
 PaneMaps::~PaneMaps() = default;
 
-std::string PaneMaps::Draw(vtkRenderer* renderer, const CasterViews& views,
+Error PaneMaps::Draw(vtkRenderer* renderer, const CasterViews& views,
   const std::vector<vtkProp*>& props, int resolution, double bias, std::size_t most,
   LayerShader& shader)
 {
@@ -36,15 +36,15 @@ std::string PaneMaps::Draw(vtkRenderer* renderer, const CasterViews& views,
   }
   this->Clear(renderer->GetRenderWindow());
   this->DrawTime.Modified();
-  std::string error = this->DrawLayers(renderer, props, most, shader);
-  if (error.empty())
+  if (Error error = this->DrawLayers(renderer, props, most, shader))
   {
-    this->State = std::move(state);
+    return error;
   }
-  return error;
+  this->State = std::move(state);
+  return {};
 }
 
-std::string PaneMaps::DrawLayers(
+Error PaneMaps::DrawLayers(
   vtkRenderer* renderer, const std::vector<vtkProp*>& props, std::size_t most, LayerShader& shader)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -67,15 +67,14 @@ std::string PaneMaps::DrawLayers(
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
   most = std::min(most, static_cast<std::size_t>(std::max(static_cast<int>(limit) / height, 1)));
   DepthLayers depths;
-  std::string error =
-    depths.Peel(window, width, std::vector<float>(texels, 1.0F), most, shader, draw);
+  Error error = depths.Peel(window, width, std::vector<float>(texels, 1.0F), most, shader, draw);
   const std::vector<float> whole(texels, 1.0F);
   std::vector<float> through = whole;
   std::vector<float> values;
   vtkNew<vtkTextureObject> share;
   for (const DepthLayers::Layer& layer : depths.Get())
   {
-    if (!error.empty() || !LayerTarget::Upload(window, share, width, height, 1, whole))
+    if (error || !LayerTarget::Upload(window, share, width, height, 1, whole))
     {
       break;
     }
@@ -95,13 +94,14 @@ std::string PaneMaps::DrawLayers(
   const auto layers = static_cast<int>(depths.Get().size());
   share->ReleaseGraphicsResources(window);
   depths.ReleaseGraphicsResources(window);
-  if (layers > 0 && error.empty() &&
+  if (layers > 0 && !error &&
     (values.size() != 2 * texels * static_cast<std::size_t>(layers) ||
       !LayerTarget::Upload(window, this->Texture, width, layers * height, 2, values)))
   {
-    error = "the graphics card has no memory for the light behind translucent surfaces";
+    error = Error("the graphics card has no memory for the light behind translucent surfaces",
+      ErrorCode::OutOfMemory);
   }
-  this->Layers = error.empty() ? layers : 0;
+  this->Layers = error ? 0 : layers;
   return error;
 }
 

@@ -4,6 +4,7 @@
 
 #include "Casters/CasterViews.h"
 #include "Casters/ViewTiles.h"
+#include "Common/Error.h"
 #include "Translucent/DepthLayers.h"
 
 #include "vtkNew.h"
@@ -38,11 +39,10 @@ public:
 
   /**
    * Draws the maps of all views of \a props, which lie in \a views. \a bias is the setting
-   * DepthBias of vtkShadowedScenePass. Returns what is wrong, or nothing.
+   * DepthBias of vtkShadowedScenePass. Returns an error if there is no memory for them.
    */
-  std::string Draw(vtkRenderer* renderer, const CasterViews& views,
-    const std::vector<vtkProp*>& props, int resolution, double bias, std::size_t most,
-    LayerShader& shader);
+  Error Draw(vtkRenderer* renderer, const CasterViews& views, const std::vector<vtkProp*>& props,
+    int resolution, double bias, std::size_t most, LayerShader& shader);
   /// Forgets what was drawn.
   void Clear(vtkWindow* window);
 
@@ -66,8 +66,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  std::string DrawLayers(vtkRenderer* renderer, const std::vector<vtkProp*>& props,
-    std::size_t most, LayerShader& shader);
+  Error DrawLayers(vtkRenderer* renderer, const std::vector<vtkProp*>& props, std::size_t most,
+    LayerShader& shader);
 
   vtkNew<vtkTextureObject> Texture;
   vtkNew<vtkOpenGLCamera> Camera;

@@ -78,7 +78,7 @@ const TransferColumns::Mapping Kept{ Keep, Keep };
 const TransferColumns::Mapping Clamped{ ClampToOne, Keep };
 }
 
-std::string MaterialTable::Build(vtkVolumeProperty* property, const VolumeSamples& samples,
+Error MaterialTable::Build(vtkVolumeProperty* property, const VolumeSamples& samples,
   vtkColorTransferFunction* transmission, const Scattering& scattering)
 {
   *this = MaterialTable();
@@ -119,7 +119,7 @@ std::string MaterialTable::Build(vtkVolumeProperty* property, const VolumeSample
     this->BuildRow(property, samples, row, transmission, scattering);
   }
   this->BuildGradientOpacity(property);
-  return std::string();
+  return {};
 }
 
 double MaterialTable::GetExtinction(int row, double opacity) const

@@ -2,9 +2,9 @@
 #ifndef interlume_MaterialTable_h
 #define interlume_MaterialTable_h
 
+#include "Common/Error.h"
 #include "Volume/TransferColumns.h" // for the number of columns
 #include <array>
-#include <string>
 #include <vector>
 
 class vtkColorTransferFunction;
@@ -63,14 +63,14 @@ public:
   };
 
   /**
-   * Samples the functions of \a property. \a transmission may be null. Returns what is wrong, or
-   * nothing. It is wrong to have three components that are not independent, transfer functions of
-   * two dimensions, a unit distance that is not above 0, or a transmission or an albedo for several
-   * independent components or for RGB.
+   * Samples the functions of \a property. \a transmission may be null. Returns an error for three
+   * components that are not independent, for transfer functions of two dimensions, for a unit
+   * distance that is not above 0, and for a transmission or an albedo of several independent
+   * components or of RGB.
    */
-  std::string Build(vtkVolumeProperty* property, const VolumeSamples& samples,
+  Error Build(vtkVolumeProperty* property, const VolumeSamples& samples,
     vtkColorTransferFunction* transmission, const Scattering& scattering);
-  std::string Build(vtkVolumeProperty* property, const VolumeSamples& samples,
+  Error Build(vtkVolumeProperty* property, const VolumeSamples& samples,
     vtkColorTransferFunction* transmission)
   {
     return this->Build(property, samples, transmission, Scattering());

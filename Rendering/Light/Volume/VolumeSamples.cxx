@@ -156,7 +156,7 @@ double FindScale(const std::array<double, 2>& range, double offset)
 }
 }
 
-std::string VolumeSamples::Build(vtkDataArray* array, const std::array<int, 3>& size, bool widens)
+Error VolumeSamples::Build(vtkDataArray* array, const std::array<int, 3>& size, bool widens)
 {
   *this = VolumeSamples();
   if (!array || size[0] < 1 || size[1] < 1 || size[2] < 1)
@@ -203,7 +203,8 @@ std::string VolumeSamples::Build(vtkDataArray* array, const std::array<int, 3>& 
   catch (const std::bad_alloc&)
   {
     *this = VolumeSamples();
-    return "array " + name + " does not fit into memory a second time";
+    return Error(
+      "array " + name + " does not fit into memory a second time", ErrorCode::OutOfMemory);
   }
   this->Size = size;
   this->Components = components;
@@ -236,7 +237,7 @@ std::string VolumeSamples::Build(vtkDataArray* array, const std::array<int, 3>& 
           }
         });
     });
-  return std::string();
+  return {};
 }
 
 }

@@ -2,10 +2,11 @@
 #ifndef interlume_VolumeSamples_h
 #define interlume_VolumeSamples_h
 
+#include "Common/Error.h"
+
 #include "vtkType.h"
 
 #include <array>
-#include <string>
 #include <vector>
 
 class vtkDataArray;
@@ -37,11 +38,11 @@ public:
 
   /**
    * Takes the values of \a array, \a size of them along x, y, z. Values of 8 bits are kept in 16 if
-   * \a widens, for software renderers that interpolate bytes in bytes. Returns what is wrong (no
-   * values, none or more than four components, too few values, no memory), and is empty then, or
-   * nothing. Threads share the work; the texels are the same for any number of threads.
+   * \a widens, for software renderers that interpolate bytes in bytes. Returns an error if there
+   * are no or too few values, none or more than four components, or no memory; there are no samples
+   * then. Threads share the work; the texels are the same for any number of threads.
    */
-  std::string Build(vtkDataArray* array, const std::array<int, 3>& size, bool widens);
+  Error Build(vtkDataArray* array, const std::array<int, 3>& size, bool widens);
 
   std::array<int, 3> Size{ { 0, 0, 0 } };
   int Components = 0;

@@ -88,7 +88,7 @@ TetrahedraRenderer::TetrahedraRenderer() = default;
 
 TetrahedraRenderer::~TetrahedraRenderer() = default;
 
-std::string TetrahedraRenderer::UpdateMesh(const Request& request, vtkTetrahedraReport& report)
+Error TetrahedraRenderer::UpdateMesh(const Request& request, vtkTetrahedraReport& report)
 {
   const MeshKey& before = this->MeshState;
   const TetrahedraArrays& arrays = request.Arrays;
@@ -108,8 +108,7 @@ std::string TetrahedraRenderer::UpdateMesh(const Request& request, vtkTetrahedra
     BoundaryFaces::Clear(this->Fields);
     this->Order.Reset();
     this->LevelOfDetail.Reset();
-    std::string error = this->MeshBuilder.Build(request.Grid, arrays, this->Mesh);
-    if (!error.empty())
+    if (Error error = this->MeshBuilder.Build(request.Grid, arrays, this->Mesh))
     {
       return error;
     }
@@ -126,7 +125,7 @@ std::string TetrahedraRenderer::UpdateMesh(const Request& request, vtkTetrahedra
   return {};
 }
 
-std::string TetrahedraRenderer::UpdateColors(
+Error TetrahedraRenderer::UpdateColors(
   const Request& request, vtkVolumeProperty* property, double unit)
 {
   if (this->Property == property && this->PropertyTime == property->GetMTime() &&
@@ -135,9 +134,8 @@ std::string TetrahedraRenderer::UpdateColors(
     return {};
   }
   const std::vector<float> scalars = std::move(this->Fields.Scalars);
-  std::string error =
-    TetrahedraBuilder::BuildColors(request.Arrays, this->Mesh, property, unit, this->Fields);
-  if (!error.empty())
+  if (Error error =
+        TetrahedraBuilder::BuildColors(request.Arrays, this->Mesh, property, unit, this->Fields))
   {
     return error;
   }
@@ -298,19 +296,17 @@ int TetrahedraRenderer::ChooseLevel(
   return level;
 }
 
-std::string TetrahedraRenderer::UpdateFrame(
+Error TetrahedraRenderer::UpdateFrame(
   vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report)
 {
-  std::string error = this->Frame.View.Set(renderer, volume, this->Mesh, report.PixelStride);
-  if (!error.empty())
+  if (Error error = this->Frame.View.Set(renderer, volume, this->Mesh, report.PixelStride))
   {
     return error;
   }
   vtkVolumeProperty* property = volume->GetProperty();
   this->Frame.ExtinctionUnit =
     this->Frame.View.GetUnit() / property->GetScalarOpacityUnitDistance();
-  error = this->UpdateColors(request, property, this->Frame.ExtinctionUnit);
-  if (!error.empty())
+  if (Error error = this->UpdateColors(request, property, this->Frame.ExtinctionUnit))
   {
     return error;
   }
@@ -318,9 +314,7 @@ std::string TetrahedraRenderer::UpdateFrame(
     this->Fields.Kind == TetrahedraFields::SCALARS ? this->Pieces.GetNumberOfPieces() + 1 : 0;
   this->UpdateBoundary(renderer, request, report);
   this->ChooseSort(request, report);
-  const std::vector<std::uint32_t>* order = this->UpdateOrder(request, report);
-  error = this->ClipMesh(request, order);
-  if (!error.empty())
+  if (Error error = this->ClipMesh(request, this->UpdateOrder(request, report)))
   {
     return error;
   }
@@ -335,8 +329,7 @@ std::string TetrahedraRenderer::UpdateFrame(
   return {};
 }
 
-std::string TetrahedraRenderer::ClipMesh(
-  const Request& request, const std::vector<std::uint32_t>* order)
+Error TetrahedraRenderer::ClipMesh(const Request& request, const std::vector<std::uint32_t>* order)
 {
   const TetrahedraView& view = this->Frame.View;
   std::vector<PlaneClip::Plane> planes{ view.GetNearPlane() };
@@ -364,15 +357,12 @@ void TetrahedraRenderer::DrawFrame(
   if (report.RenderPath == Mapper::OPENGL_PATH)
   {
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-    std::string fault = resources.Rasterizer.FindFault(window, this->Frame);
-    if (fault.empty())
-    {
-      fault = this->DrawWithOpenGL(renderer, volume, resources, report);
-    }
-    if (!fault.empty())
+    if (const Error error =
+          resources.Rasterizer.FindError(window, this->Frame)
+            .Then([&] { return this->DrawWithOpenGL(renderer, volume, resources, report); }))
     {
       report.RenderPath = Mapper::SOFTWARE_PATH;
-      report.PathReason = fault;
+      report.PathReason = error.GetMessage();
       report.SilhouetteShader = 0;
       report.ShaderReason.clear();
     }
@@ -400,26 +390,26 @@ void TetrahedraRenderer::CountTetrahedra(const Request& request, vtkTetrahedraRe
   report.NonFiniteTetrahedra = this->MeshBuilder.GetNumberOfNonFinite();
 }
 
-std::string TetrahedraRenderer::Render(
+Error TetrahedraRenderer::Render(
   vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report)
 {
   const double start = vtkTimerLog::GetUniversalTime();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window)
   {
-    return "the render window is not an OpenGL one";
+    return { "the render window is not an OpenGL one", ErrorCode::OpenGL };
   }
   if (request.Pieces)
   {
-    std::string error = this->RenderPieces(renderer, volume, request, *window, report);
+    Error error = this->RenderPieces(renderer, volume, request, *window, report);
     this->Clip.Remove(this->Mesh, this->Fields);
     report.Seconds = vtkTimerLog::GetUniversalTime() - start;
     report.MemoryBytes = this->GetMemoryBytes();
     return error;
   }
-  std::string error = this->UpdateMesh(request, report);
+  Error error = this->UpdateMesh(request, report);
   this->CountTetrahedra(request, report);
-  if (!error.empty() || this->Mesh.Corners.empty())
+  if (error || this->Mesh.Corners.empty())
   {
     return error;
   }
@@ -428,7 +418,7 @@ std::string TetrahedraRenderer::Render(
   this->ChooseShader(request, window, report);
   const int level = this->ChooseLevel(renderer, volume, request, report);
   error = this->UpdateFrame(renderer, volume, request, report);
-  if (!error.empty())
+  if (error)
   {
     return error;
   }
@@ -458,10 +448,10 @@ std::string TetrahedraRenderer::Render(
   return {};
 }
 
-std::string TetrahedraRenderer::DrawWithOpenGL(
+Error TetrahedraRenderer::DrawWithOpenGL(
   vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, vtkTetrahedraReport& report)
 {
-  std::string error = resources.Rasterizer.Draw(renderer, this->Frame,
+  Error error = resources.Rasterizer.Draw(renderer, this->Frame,
     SceneDepth::MayOcclude(renderer, volume) || this->IsCutByFarPlane(), report);
   report.TetrahedraDrawn = static_cast<vtkIdType>(
     this->Frame.Order ? this->Frame.Order->size() : this->Mesh.GetNumberOfTetrahedra());
@@ -495,16 +485,16 @@ void TetrahedraRenderer::DrawInSoftware(
   resources.Quad.Draw(window);
 }
 
-std::string TetrahedraRenderer::UpdatePiece(
+Error TetrahedraRenderer::UpdatePiece(
   vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report)
 {
   if (!request.Grid)
   {
     return {};
   }
-  std::string error = this->UpdateMesh(request, report);
+  Error error = this->UpdateMesh(request, report);
   this->CountTetrahedra(request, report);
-  if (!error.empty() || this->Mesh.Corners.empty())
+  if (error || this->Mesh.Corners.empty())
   {
     return error;
   }
@@ -529,7 +519,7 @@ std::vector<int> TetrahedraRenderer::FindPieceOrder(
   return order;
 }
 
-std::string TetrahedraRenderer::RenderPieces(vtkRenderer* renderer, vtkVolume* volume,
+Error TetrahedraRenderer::RenderPieces(vtkRenderer* renderer, vtkVolume* volume,
   const Request& request, vtkOpenGLRenderWindow& window, vtkTetrahedraReport& report)
 {
   const PieceExchange& pieces = *request.Pieces;
@@ -538,8 +528,8 @@ std::string TetrahedraRenderer::RenderPieces(vtkRenderer* renderer, vtkVolume* v
   report.RenderPath = Mapper::SOFTWARE_PATH;
   report.PathReason = "what several processes draw is put together on the CPU";
   this->ChooseBlend(request, report);
-  const std::string error = this->UpdatePiece(renderer, volume, request, report);
-  const bool isHere = request.Grid && error.empty() && !this->Mesh.Corners.empty();
+  const Error error = this->UpdatePiece(renderer, volume, request, report);
+  const bool isHere = request.Grid && !error && !this->Mesh.Corners.empty();
 
   // Nobody draws anew where nothing has changed in any process.
   std::array<int, 2> size{ { 0, 0 } };

@@ -2,6 +2,7 @@
 #ifndef interlume_TetrahedraRenderer_h
 #define interlume_TetrahedraRenderer_h
 
+#include "Common/Error.h"
 #include "Draw/LevelOfDetail.h"
 #include "Frame/BoundaryShading.h"
 #include "Frame/PlaneClip.h"
@@ -61,9 +62,9 @@ public:
   };
 
   /**
-   * Draws and reports. Returns what is wrong, or nothing.
+   * Draws and reports. Returns an error if something cannot be drawn.
    */
-  std::string Render(
+  Error Render(
     vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report);
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -74,11 +75,11 @@ private:
   struct DrawnState;
 
   WindowResources& GetResources(vtkWindow* window);
-  /// Makes the mesh anew, or where it is the same its values alone. Returns what is wrong, or
-  /// nothing.
-  std::string UpdateMesh(const Request& request, vtkTetrahedraReport& report);
+  /// Rebuilds the mesh, or only its values if the mesh is the same. Returns an error if the grid
+  /// cannot be drawn.
+  Error UpdateMesh(const Request& request, vtkTetrahedraReport& report);
   void CountTetrahedra(const Request& request, vtkTetrahedraReport& report) const;
-  std::string UpdateColors(const Request& request, vtkVolumeProperty* property, double unit);
+  Error UpdateColors(const Request& request, vtkVolumeProperty* property, double unit);
   void ChooseBlend(const Request& request, vtkTetrahedraReport& report);
   void ChoosePath(
     const Request& request, vtkOpenGLRenderWindow* window, vtkTetrahedraReport& report);
@@ -88,29 +89,29 @@ private:
   /// Returns the level of detail, which is 0 for whole pictures.
   int ChooseLevel(
     vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report);
-  /// Makes what has changed of this picture anew. Returns what is wrong, or nothing.
-  std::string UpdateFrame(
+  /// Updates the changed parts of this image. Returns an error if it cannot be drawn.
+  Error UpdateFrame(
     vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report);
   /// Cuts the mesh at the near plane and the clipping planes, and sets the order that is drawn.
-  /// Returns an error message, or an empty string on success.
-  std::string ClipMesh(const Request& request, const std::vector<std::uint32_t>* order);
+  /// Returns an error if a clipping plane is not valid.
+  Error ClipMesh(const Request& request, const std::vector<std::uint32_t>* order);
   void DrawFrame(vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources,
     vtkTetrahedraReport& report);
   bool FindOneColor() const;
   const std::vector<std::uint32_t>* UpdateOrder(
     const Request& request, vtkTetrahedraReport& report);
-  std::string DrawWithOpenGL(vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources,
+  Error DrawWithOpenGL(vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources,
     vtkTetrahedraReport& report);
   void DrawInSoftware(
     vtkRenderer* renderer, WindowResources& resources, vtkTetrahedraReport& report);
   /// Draws the picture of all pieces, together with the other processes.
-  std::string RenderPieces(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
+  Error RenderPieces(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
     vtkOpenGLRenderWindow& window, vtkTetrahedraReport& report);
   /// Returns the order of the processes from the nearest on; none where the blend mode needs none.
   static std::vector<int> FindPieceOrder(
     vtkRenderer* renderer, vtkVolume* volume, const PieceExchange& pieces);
-  /// Makes what has changed of the own piece anew. Returns what is wrong, or nothing.
-  std::string UpdatePiece(
+  /// Updates the changed parts of this process's piece. Returns an error if it cannot be drawn.
+  Error UpdatePiece(
     vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report);
   void Select(vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources);
   void DrawSelection(

@@ -240,7 +240,7 @@ void ForgetZeros(std::vector<unsigned char>& marks)
 }
 }
 
-std::string MeshBuilder::Build(
+Error MeshBuilder::Build(
   vtkUnstructuredGrid* grid, const TetrahedraArrays& arrays, TetrahedraMesh& mesh)
 {
   *this = MeshBuilder();

@@ -2,12 +2,12 @@
 #ifndef interlume_MeshBuilder_h
 #define interlume_MeshBuilder_h
 
+#include "Common/Error.h"
 #include "Mesh/TetrahedraArrays.h"
 #include "Mesh/TetrahedraMesh.h"
 
 #include "vtkType.h"
 
-#include <string>
 #include <vector>
 
 class vtkUnstructuredGrid;
@@ -26,10 +26,9 @@ class MeshBuilder
 {
 public:
   /**
-   * Makes the mesh. Returns what is wrong, or nothing; then the mesh is empty.
+   * Builds the mesh. Returns an error if the grid cannot be drawn; the mesh is then empty.
    */
-  std::string Build(
-    vtkUnstructuredGrid* grid, const TetrahedraArrays& arrays, TetrahedraMesh& mesh);
+  Error Build(vtkUnstructuredGrid* grid, const TetrahedraArrays& arrays, TetrahedraMesh& mesh);
 
   /**
    * Returns whether Build() would make the last mesh again to the last bit, as where only values

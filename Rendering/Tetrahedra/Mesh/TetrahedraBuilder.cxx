@@ -96,8 +96,9 @@ void TetrahedraBuilder::BuildFields(
     fields.DeltaT.resize(points);
     for (std::size_t p = 0; p < points; ++p)
     {
-      const double extent = arrays.DeltaT->GetComponent(static_cast<vtkIdType>(p), 0);
-      fields.DeltaT[p] = std::isfinite(extent) ? static_cast<float>(extent) : 0.0f;
+      // Those that are not finite belong to no tetrahedron of the mesh.
+      fields.DeltaT[p] =
+        static_cast<float>(arrays.DeltaT->GetComponent(static_cast<vtkIdType>(p), 0));
     }
   }
   if (arrays.Layers)
@@ -112,8 +113,8 @@ void TetrahedraBuilder::BuildFields(
   }
 }
 
-std::string TetrahedraBuilder::BuildColors(const TetrahedraArrays& arrays,
-  const TetrahedraMesh& mesh, vtkVolumeProperty* property, double unit, TetrahedraFields& fields)
+Error TetrahedraBuilder::BuildColors(const TetrahedraArrays& arrays, const TetrahedraMesh& mesh,
+  vtkVolumeProperty* property, double unit, TetrahedraFields& fields)
 {
   fields.Colors.clear();
   fields.Scalars.clear();

@@ -2,11 +2,10 @@
 #ifndef interlume_TetrahedraBuilder_h
 #define interlume_TetrahedraBuilder_h
 
+#include "Common/Error.h"
 #include "Mesh/TetrahedraArrays.h"
 #include "Mesh/TetrahedraFields.h"
 #include "Mesh/TetrahedraMesh.h"
-
-#include <string>
 
 class vtkDataArray;
 class vtkVolumeProperty;
@@ -28,10 +27,10 @@ public:
     const TetrahedraArrays& arrays, const TetrahedraMesh& mesh, TetrahedraFields& fields);
 
   /**
-   * Makes kind, scalars, and colours where they are not looked up while drawing. Extinction is
-   * opacity times \a unit. Returns what is wrong, or nothing.
+   * Sets the kind, the scalars, and the colors that are not looked up while drawing. Extinction is
+   * opacity times \a unit. Returns an error if there are too many components.
    */
-  static std::string BuildColors(const TetrahedraArrays& arrays, const TetrahedraMesh& mesh,
+  static Error BuildColors(const TetrahedraArrays& arrays, const TetrahedraMesh& mesh,
     vtkVolumeProperty* property, double unit, TetrahedraFields& fields);
 
   /**

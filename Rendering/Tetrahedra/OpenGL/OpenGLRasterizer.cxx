@@ -88,13 +88,12 @@ OpenGLRasterizer::OpenGLRasterizer() = default;
 
 OpenGLRasterizer::~OpenGLRasterizer() = default;
 
-std::string OpenGLRasterizer::FindFault(
-  vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame) const
+Error OpenGLRasterizer::FindError(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame) const
 {
   window->MakeCurrent();
   if (!HasOpenGL32())
   {
-    return "OpenGL is older than 3.2";
+    return { "OpenGL is older than 3.2", ErrorCode::OpenGL };
   }
   GLint texels = 0;
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
@@ -102,8 +101,9 @@ std::string OpenGLRasterizer::FindFault(
     std::max<std::size_t>(frame.Mesh->GetNumberOfTetrahedra(), frame.Mesh->Points.size() / 3);
   if (most > static_cast<std::size_t>(texels))
   {
-    return "texture buffers hold " + std::to_string(texels) + " values, and " +
-      std::to_string(most) + " are needed";
+    return { "texture buffers hold " + std::to_string(texels) + " values, and " +
+        std::to_string(most) + " are needed",
+      ErrorCode::OpenGL };
   }
   return {};
 }
@@ -511,7 +511,7 @@ void OpenGLRasterizer::DeactivateBuffers()
   }
 }
 
-std::string OpenGLRasterizer::Draw(
+Error OpenGLRasterizer::Draw(
   vtkRenderer* renderer, const TetrahedraFrame& frame, bool hasOpaque, vtkTetrahedraReport& report)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -534,7 +534,7 @@ std::string OpenGLRasterizer::Draw(
     if (!this->PrepareTarget(window, width, height, hasLayers))
     {
       state->PopFramebufferBindings();
-      return "a framebuffer of floats cannot be drawn to";
+      return { "a framebuffer of floats cannot be drawn to", ErrorCode::OpenGL };
     }
     state->vtkglViewport(0, 0, width, height);
     state->vtkglDisable(GL_DEPTH_TEST);
@@ -545,7 +545,7 @@ std::string OpenGLRasterizer::Draw(
     if (!this->DrawLayers(window, frame, report.Features, hasOpaque))
     {
       state->PopFramebufferBindings();
-      return "the shaders cannot be compiled";
+      return { "the shaders cannot be compiled", ErrorCode::OpenGL };
     }
   }
   state->PopFramebufferBindings();

@@ -2,6 +2,7 @@
 #ifndef interlume_OpenGLRasterizer_h
 #define interlume_OpenGLRasterizer_h
 
+#include "Common/Error.h"
 #include "Frame/TetrahedraFrame.h"
 #include "Offscreen/ImageQuad.h"
 #include "OpenGL/TextureBuffer.h"
@@ -40,15 +41,15 @@ public:
   ~OpenGLRasterizer();
 
   /**
-   * Returns why this context cannot draw that many tetrahedra and points, or nothing.
+   * Returns an error if this context cannot draw that many tetrahedra and points.
    */
-  std::string FindFault(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame) const;
+  Error FindError(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame) const;
 
   /**
-   * Draws a picture. \a hasOpaque tells whether the scene has opaque surfaces. Returns what is
-   * wrong, or nothing.
+   * Draws an image. \a hasOpaque is true if the scene has opaque surfaces. Returns an error if
+   * OpenGL fails.
    */
-  std::string Draw(vtkRenderer* renderer, const TetrahedraFrame& frame, bool hasOpaque,
+  Error Draw(vtkRenderer* renderer, const TetrahedraFrame& frame, bool hasOpaque,
     vtkTetrahedraReport& report);
 
   void ReleaseGraphicsResources(vtkWindow* window);

@@ -100,7 +100,7 @@ struct TetrahedraView::Axes
   double ShiftY;
 };
 
-std::string TetrahedraView::Set(
+Error TetrahedraView::Set(
   vtkRenderer* renderer, vtkVolume* volume, const TetrahedraMesh& mesh, int stride)
 {
   int width = 0;
@@ -134,7 +134,7 @@ std::string TetrahedraView::Set(
     { { 0.5 * width / stride, 0.5 * height / stride } });
 }
 
-std::string TetrahedraView::SetEye(glm::dmat4 world, glm::dmat4 mesh, const glm::dvec3& camera,
+Error TetrahedraView::SetEye(glm::dmat4 world, glm::dmat4 mesh, const glm::dvec3& camera,
   const std::array<double, 2>& halfSize)
 {
   this->Parallel = glm::dvec3(world[3]) == glm::dvec3(0.0);

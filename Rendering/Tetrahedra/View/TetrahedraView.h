@@ -2,12 +2,12 @@
 #ifndef interlume_TetrahedraView_h
 #define interlume_TetrahedraView_h
 
+#include "Common/Error.h"
 #include "Common/Vectors.h"
 #include "Mesh/TetrahedraMesh.h"
 #include "View/ViewRays.h"
 
 #include <array>
-#include <string>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -46,10 +46,10 @@ public:
   };
 
   /**
-   * Reads the camera and the volume's place. \a stride pixels of the viewport are one pixel here.
-   * Returns what is wrong, or nothing.
+   * Reads the camera and the volume's matrix. \a stride pixels of the viewport are one pixel here.
+   * Returns an error if a matrix is singular or not finite.
    */
-  std::string Set(vtkRenderer* renderer, vtkVolume* volume, const TetrahedraMesh& mesh, int stride);
+  Error Set(vtkRenderer* renderer, vtkVolume* volume, const TetrahedraMesh& mesh, int stride);
 
   /**
    * Returns the eye in the volume's coordinates, homogeneous with w >= 0: in parallel projection a
@@ -147,8 +147,8 @@ public:
 private:
   struct Axes;
   /// Sets everything that depends on the matrices from world and from mesh to clip coordinates,
-  /// given by their rows. Returns an error message, or an empty string on success.
-  std::string SetEye(glm::dmat4 world, glm::dmat4 mesh, const glm::dvec3& camera,
+  /// given by their rows. Returns an error if they are singular or not finite.
+  Error SetEye(glm::dmat4 world, glm::dmat4 mesh, const glm::dvec3& camera,
     const std::array<double, 2>& halfSize);
 
   int Width = 0;

@@ -153,7 +153,7 @@ void CompareOn(
   vtkDataSet* data, const AdvectionOptions& options, int number, Seen& seen, Check& check)
 {
   const std::vector<Vector> starts = MakeStarts(data, number, 5);
-  const std::string error =
+  const interlume::Error error =
     interlume::FieldDispatch::Execute(data, data->GetPointData()->GetVectors(), {},
       [&](const auto& walker)
       {
@@ -164,7 +164,7 @@ void CompareOn(
           Compare(walker, options, starts, seen, check);
         }
       });
-  check.That(error.empty(), error);
+  check.That(!error, error.GetMessage());
 }
 
 AdvectionOptions MakeOptions()

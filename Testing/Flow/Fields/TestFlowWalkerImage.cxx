@@ -108,7 +108,7 @@ void CheckDomainFaces(Check& check)
   check.SetContext("domain faces");
   auto image = MakeBox(4, 2, 3);
   auto vectors = AddRandomVectors(image, 5);
-  interlume::FieldDispatch::Execute(image, vectors, {},
+  WithWalker(image, vectors, check,
     [&](auto walker)
     {
       const Vector x = { { 3.5, 0.25, 1.75 } };
@@ -165,7 +165,7 @@ void CheckBlanking(Check& check)
       return Vector{ { isHidden ? std::nan("") : 3.0, 0.0, isHidden ? 7.0 : 4.0 } };
     });
   points->BlankPoint(0);
-  interlume::FieldDispatch::Execute(points, outlier, {},
+  WithWalker(points, outlier, check,
     [&](auto walker)
     {
       Vector p;
@@ -187,7 +187,7 @@ void CheckNonFinite(Check& check)
       return Vector{ { x[0] == 0.0 && x[1] == 0.0 && x[2] == 0.0 ? std::nan("") : 1e200,
         x[0] == 4.0 && x[1] == 4.0 && x[2] == 4.0 ? infinity : 1e200, 0.0 } };
     });
-  interlume::FieldDispatch::Execute(image, vectors, {},
+  WithWalker(image, vectors, check,
     [&](auto walker)
     {
       check.Equal(walker.GetField().GetNumberOfNonFiniteVectors(), 2, "vectors");
@@ -232,7 +232,7 @@ void CheckTypes(Check& check)
     }
     for (vtkDataArray* array : { vectors.Get(), static_cast<vtkDataArray*>(columns.Get()) })
     {
-      const std::string error = interlume::FieldDispatch::Execute(image, array, { values },
+      const interlume::Error error = interlume::FieldDispatch::Execute(image, array, { values },
         [&](auto walker)
         {
           const Vector x = { { 0.25, 1.5, 2.75 } };
@@ -245,7 +245,7 @@ void CheckTypes(Check& check)
             "largest speed");
           check.Near(walker.GetField().GetBounds()[3], 3.0, 0.0, "bounds");
         });
-      check.That(error.empty(), error);
+      check.That(!error, error.GetMessage());
     }
   }
 }
@@ -261,7 +261,7 @@ void CheckLargeIntegers(Check& check)
       return Vector{ { 16777217.0, 0.0, 0.0 } };
     },
     VTK_INT);
-  interlume::FieldDispatch::Execute(image, vectors, {},
+  WithWalker(image, vectors, check,
     [&](const auto& walker)
     { check.Equal(std::llround(walker.GetField().GetMaximumSpeed()), 16777217, "largest speed"); });
 }
@@ -273,9 +273,10 @@ void CheckErrors(Check& check)
                         const std::vector<vtkDataArray*>& arrays, const std::string& text)
   {
     bool isCalled = false;
-    const std::string error = interlume::FieldDispatch::Execute(
+    const interlume::Error error = interlume::FieldDispatch::Execute(
       data, vectors, arrays, [&](const auto&) { isCalled = true; });
-    check.That(!isCalled && error == text, "expected \"" + text + "\", found \"" + error + "\"");
+    check.That(!isCalled && error.GetMessage() == text,
+      "expected \"" + text + "\", found \"" + error.GetMessage() + "\"");
   };
   for (int axis = 0; axis < 3; ++axis)
   {

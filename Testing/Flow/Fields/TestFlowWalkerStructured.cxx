@@ -348,7 +348,7 @@ void CheckErrors(Check& check)
   auto grid = MakeStructuredGrid({ { 3, 3, 3 } });
   auto vectors = AddRandomVectors(grid, 1);
   const auto find = [&]
-  { return interlume::FieldDispatch::Execute(grid, vectors, {}, [](const auto&) {}); };
+  { return interlume::FieldDispatch::Execute(grid, vectors, {}, [](const auto&) {}).GetMessage(); };
   grid->GetPoints()->SetPoint(63, 0.0, std::nan(""), 0.0);
   check.That(find() == "point 63 is not finite", find());
   grid->GetPoints()->SetNumberOfPoints(60);
@@ -358,10 +358,10 @@ void CheckErrors(Check& check)
 }
 
 // Cells, places and velocities of points, from a field that was built and read by threads.
-std::vector<double> FindAll(vtkDataSet* data, vtkDataArray* vectors)
+std::vector<double> FindAll(vtkDataSet* data, vtkDataArray* vectors, Check& check)
 {
   std::vector<double> all(7 * data->GetNumberOfPoints());
-  interlume::FieldDispatch::Execute(data, vectors, {},
+  WithWalker(data, vectors, check,
     [&](const auto& prototype)
     {
       vtkSMPTools::For(0, data->GetNumberOfPoints(), 7,
@@ -386,7 +386,7 @@ void CheckThreads(Check& check)
   auto grid = MakeCurved(0.35, [](const Vector& x) { return x; });
   auto vectors = AddRandomVectors(grid, 3);
   CheckSame(
-    "cells, places and velocities", [&]() { return FindAll(grid, vectors); }, check);
+    "cells, places and velocities", [&]() { return FindAll(grid, vectors, check); }, check);
 }
 
 }

@@ -240,7 +240,7 @@ void CheckArrays(Check& check)
       }
     }
     Random random(37);
-    const std::string error =
+    const interlume::Error error =
       interlume::FieldDispatch::Execute(mesh, vectors, { parts[0], parts[1], parts[2] },
         [&](auto walker)
         {
@@ -255,7 +255,7 @@ void CheckArrays(Check& check)
             }
           }
         });
-    check.That(error.empty(), error);
+    check.That(!error, error.GetMessage());
   }
 }
 
@@ -265,7 +265,7 @@ void CheckErrors(Check& check)
   const auto find = [](vtkUnstructuredGrid* mesh)
   {
     auto vectors = AddRandomVectors(mesh, 1);
-    return interlume::FieldDispatch::Execute(mesh, vectors, {}, [](const auto&) {});
+    return interlume::FieldDispatch::Execute(mesh, vectors, {}, [](const auto&) {}).GetMessage();
   };
   auto boxes = MakeMesh(MeshKind::Boxes, { { 2, 2, 2 } });
   check.That(find(boxes) ==
@@ -287,10 +287,10 @@ void CheckErrors(Check& check)
 }
 
 // Where lines through a mesh go, with a field built by threads.
-std::vector<double> WalkAll(vtkUnstructuredGrid* mesh, vtkDataArray* vectors)
+std::vector<double> WalkAll(vtkUnstructuredGrid* mesh, vtkDataArray* vectors, Check& check)
 {
   std::vector<double> all;
-  interlume::FieldDispatch::Execute(mesh, vectors, {},
+  WithWalker(mesh, vectors, check,
     [&](const auto& walker)
     {
       Random random(41);
@@ -313,9 +313,9 @@ void CheckThreads(Check& check)
   auto mesh = MakeFlowMesh(MeshKind::Mixed, Cells, false);
   MovePoints(mesh, MakeBend(Cells, 0.25));
   auto vectors = AddRandomVectors(mesh, 3);
-  check.That(WalkAll(mesh, vectors).size() > 200, "there are cells on the way");
+  check.That(WalkAll(mesh, vectors, check).size() > 200, "there are cells on the way");
   CheckSame(
-    "walks", [&]() { return WalkAll(mesh, vectors); }, check);
+    "walks", [&]() { return WalkAll(mesh, vectors, check); }, check);
 }
 
 }

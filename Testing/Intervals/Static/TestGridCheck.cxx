@@ -100,7 +100,7 @@ void CheckAll(const std::string& name, Check& check)
   constexpr vtkIdType most = std::numeric_limits<typename Array::ValueType>::max();
   const auto expect = [&](const std::string& what, const Damage& damage, const std::string& said)
   {
-    const std::string found = interlume::GridCheck::Find(MakeGrid<Array>(damage));
+    const std::string found = interlume::GridCheck::FindError(MakeGrid<Array>(damage)).GetMessage();
     check.That(found == said, name + ", " + what + ": \"" + found + "\"");
   };
   expect("whole", {}, "");
@@ -244,7 +244,7 @@ void CheckSizes(const std::string& name, Check& check)
       const std::string expected = "ell 1 (" + type.Name + ") has " + std::to_string(size) +
         (size == 1 ? " point; " : " points; ") + std::to_string(type.Least) +
         (type.Least == 1 ? " is needed" : " are needed");
-      const std::string found = interlume::GridCheck::Find(grid);
+      const std::string found = interlume::GridCheck::FindError(grid).GetMessage();
       check.That(found == "c" + expected, found);
       for (const std::string& said : Ask(grid, check))
       {
@@ -255,8 +255,9 @@ void CheckSizes(const std::string& name, Check& check)
     }
     if (type.Type != VTK_POLYHEDRON)
     {
-      const std::string found = interlume::GridCheck::Find(MakePair<Array>(type.Type, type.Least));
-      check.That(found.empty(), "as many as there are corners: " + found);
+      const interlume::Error error =
+        interlume::GridCheck::FindError(MakePair<Array>(type.Type, type.Least));
+      check.That(!error, "as many as there are corners: " + error.GetMessage());
     }
   }
 }
@@ -339,7 +340,7 @@ void CheckFaces(Check& check)
     check.SetContext(std::to_string(number) + " faces");
     auto grid = MakePair<vtkTypeInt64Array>(VTK_TETRA, 4);
     grid->InsertNextCell(VTK_POLYHEDRON, 4, ids, number, faces);
-    const std::string found = interlume::GridCheck::Find(grid);
+    const std::string found = interlume::GridCheck::FindError(grid).GetMessage();
     check.That(number == 4 ? found.empty()
                            : found ==
           "cell 2 (vtkPolyhedron) has " + interlume::ArrayCheck::Count(number, "face") +

@@ -26,7 +26,7 @@ ScatteringMedium MakeMedium(
   medium.CellSize = glm::dvec3(1.0 / std::max({ cells.x, cells.y, cells.z }));
   medium.Extinction.assign(medium.GetNumberOfCells(), static_cast<float>(extinction));
   medium.Albedo.assign(medium.GetNumberOfCells(), albedo);
-  medium.Phase.SetHenyeyGreenstein(g);
+  static_cast<void>(medium.Phase.SetHenyeyGreenstein(g));
   return medium;
 }
 
@@ -73,11 +73,11 @@ Solved Solve(const ScatteringMedium& medium, const std::vector<ScatteringLight>&
   ScatteringMode mode, const ScatteringSettings& settings)
 {
   Solved solved;
-  solved.Wrong =
+  solved.Error =
     ScatteringSolver::Solve(medium, lights, mode, settings, solved.Field, solved.Report);
-  if (!solved.Wrong.empty())
+  if (solved.Error)
   {
-    std::cerr << solved.Wrong << "\n";
+    std::cerr << solved.Error << "\n";
   }
   return solved;
 }

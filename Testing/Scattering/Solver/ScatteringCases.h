@@ -18,12 +18,12 @@ interlume::ScatteringLight MakeLight(
 interlume::ScatteringLight MakeLightAt(
   const interlume::ScatteringMedium& medium, const glm::dvec3& place);
 
-/// What was solved; what was wrong is printed and makes the field empty.
+/// The result of a solver. An error is printed and makes the field empty.
 struct Solved
 {
   interlume::ScatteringField Field;
   interlume::ScatteringReport Report;
-  std::string Wrong;
+  interlume::Error Error;
 
   double GetSum() const
   {

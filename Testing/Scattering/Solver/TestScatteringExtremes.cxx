@@ -61,7 +61,7 @@ public:
       return value.x >= 0.0f && value.y >= 0.0f && value.z >= 0.0f &&
         value.x + value.y + value.z < 1e6f;
     };
-    bool all = solved.Wrong.empty() && !solved.Field.Fluence.empty() &&
+    bool all = !solved.Error && !solved.Field.Fluence.empty() &&
       std::all_of(solved.Field.Fluence.begin(), solved.Field.Fluence.end(), isSound);
     for (const std::vector<glm::vec3>& forward : solved.Field.Forward)
     {
@@ -202,20 +202,21 @@ void TestLights(SolverTable& table)
   ScatteringField field;
   ScatteringReport report;
   bad.Direct.pop_back();
-  std::string wrong =
-    ScatteringSolver::Solve(medium, { bad }, ScatteringMode::Full, {}, field, report);
-  table.Check("cells-missing", "a light with a cell too few", "text with both numbers", wrong,
-    wrong.find("4095") != std::string::npos && wrong.find("4096") != std::string::npos);
+  std::string error =
+    ScatteringSolver::Solve(medium, { bad }, ScatteringMode::Full, {}, field, report).GetMessage();
+  table.Check("cells-missing", "a light with a cell too few", "text with both numbers", error,
+    error.find("4095") != std::string::npos && error.find("4096") != std::string::npos);
   ScatteringLight still = MakeLight(medium, Oblique);
   still.Direction = glm::dvec3(0.0);
-  wrong = ScatteringSolver::Solve(medium, { still }, ScatteringMode::Full, {}, field, report);
+  error = ScatteringSolver::Solve(medium, { still }, ScatteringMode::Full, {}, field, report)
+            .GetMessage();
   table.Check("no-direction", "a light whose direction has no length", "text with the direction",
-    wrong, wrong.find("not of length 1") != std::string::npos);
+    error, error.find("not of length 1") != std::string::npos);
   ScatteringMedium flat = medium;
   flat.Cells.y = 0;
-  wrong = ScatteringSolver::Solve(flat, {}, ScatteringMode::Full, {}, field, report);
-  table.Check("no-cells", "a grid without cells", "text with the axis", wrong,
-    wrong.find("0 cells along axis 1") != std::string::npos);
+  error = ScatteringSolver::Solve(flat, {}, ScatteringMode::Full, {}, field, report).GetMessage();
+  table.Check("no-cells", "a grid without cells", "text with the axis", error,
+    error.find("0 cells along axis 1") != std::string::npos);
 }
 
 }

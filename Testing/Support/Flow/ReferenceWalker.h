@@ -27,8 +27,8 @@ namespace reference
 template <typename Function>
 void WithWalker(vtkDataSet* data, vtkDataArray* vectors, Check& check, Function&& function)
 {
-  const std::string error = interlume::FieldDispatch::Execute(data, vectors, {}, function);
-  check.That(error.empty(), error);
+  const interlume::Error error = interlume::FieldDispatch::Execute(data, vectors, {}, function);
+  check.That(!error, error.GetMessage());
 }
 
 template <typename Walker>

@@ -22,7 +22,7 @@ inline interlume::UnitSpace MakeUnitSpace(
   vtkNew<vtkMatrix4x4> matrix;
   matrix->SetElement(0, 1, shear);
   interlume::UnitSpace space;
-  space.Set(image, true, matrix);
+  static_cast<void>(space.Set(image, true, matrix));
   return space;
 }
 
