@@ -166,6 +166,9 @@ vtkIdType CountProgramWords(GLuint program)
 ContextCount CountContext(vtkRenderWindow* window)
 {
   window->MakeCurrent();
+  // The targets of textures are tried out, which is no error to report.
+  const bool reports = glIsEnabled(GL_DEBUG_OUTPUT) == GL_TRUE;
+  glDisable(GL_DEBUG_OUTPUT);
   ContextCount count;
   for (GLuint name = 1; name < MOST_NAMES; ++name)
   {
@@ -177,6 +180,10 @@ ContextCount CountContext(vtkRenderWindow* window)
     count.Bytes += isBuffer ? GetBufferBytes(name) : 0;
     count.Bytes += isRenderBuffer ? GetRenderBufferBytes(name) : 0;
     count.Words += glIsProgram(name) == GL_TRUE ? CountProgramWords(name) : 0;
+  }
+  if (reports)
+  {
+    glEnable(GL_DEBUG_OUTPUT);
   }
   ClearErrors();
   return count;
