@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkInterlumeReport.h"
+
+#include "vtkDataArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkStringArray.h"
+#include "vtkVariant.h"
+
+#include <limits>
+
+vtkStandardNewMacro(vtkInterlumeReport);
+
+vtkInterlumeReport::vtkInterlumeReport() = default;
+vtkInterlumeReport::~vtkInterlumeReport() = default;
+
+vtkIdType vtkInterlumeReport::GetSize(const std::string& name)
+{
+  vtkAbstractArray* values = this->GetAbstractArray(name.c_str());
+  return values ? values->GetNumberOfValues() : 0;
+}
+
+double vtkInterlumeReport::GetNumber(const std::string& name, vtkIdType entry)
+{
+  vtkDataArray* values = this->GetArray(name.c_str());
+  if (!values || entry < 0 || entry >= values->GetNumberOfValues())
+  {
+    vtkErrorMacro("There is no number " << entry << " of the value \"" << name << "\".");
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const int components = values->GetNumberOfComponents();
+  return values->GetComponent(entry / components, static_cast<int>(entry % components));
+}
+
+std::string vtkInterlumeReport::GetText(const std::string& name, vtkIdType entry)
+{
+  auto* values = vtkStringArray::SafeDownCast(this->GetAbstractArray(name.c_str()));
+  if (!values || entry < 0 || entry >= values->GetNumberOfValues())
+  {
+    vtkErrorMacro("There is no text " << entry << " of the value \"" << name << "\".");
+    return {};
+  }
+  return values->GetValue(entry);
+}
+
+bool vtkInterlumeReport::IsEqual(vtkInterlumeReport* other)
+{
+  const auto print = [](vtkInterlumeReport* report)
+  {
+    std::ostringstream text;
+    text.precision(std::numeric_limits<double>::max_digits10);
+    report->PrintSelf(text, vtkIndent());
+    return text.str();
+  };
+  return other && print(this) == print(other);
+}
+
+void vtkInterlumeReport::PrintSelf(ostream& os, vtkIndent indent)
+{
+  for (int i = 0; i < this->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* values = this->GetAbstractArray(i);
+    os << indent << values->GetName() << ":";
+    for (vtkIdType entry = 0; entry < values->GetNumberOfValues(); ++entry)
+    {
+      os << " ";
+      if (auto* texts = vtkStringArray::SafeDownCast(values))
+      {
+        os << texts->GetValue(entry);
+      }
+      else
+      {
+        os << this->GetNumber(values->GetName(), entry);
+      }
+    }
+    os << "\n";
+  }
+}
