@@ -77,6 +77,7 @@ copy_source()
   as_root mkdir -p "$root/src"
   if [ -f "$list" ]; then
     comm -23 "$list" "$files" | while IFS= read -r file; do as_root rm -f "$root/src/$file"; done
+    as_root find "$root/src" -path "$root/src/build" -prune -o -type d -empty -exec rmdir {} +
   fi
   while IFS= read -r file; do
     cmp -s "$source_dir/$file" "$root/src/$file" || printf '%s\n' "$file"
