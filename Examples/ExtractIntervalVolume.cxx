@@ -37,9 +37,10 @@ int main(int argc, char* argv[])
     std::cerr << "nothing of " << argv[2] << " lies in that interval\n";
     return EXIT_FAILURE;
   }
-  const vtkExtractionReport& report = interval->GetReport();
-  std::cout << tetrahedra->GetNumberOfCells() << " tetrahedra from " << report.CellsWithOutput
-            << " of " << report.Cells << " cells\n";
+  const vtkIdType cells = interval->GetReport()->GetNumber("Cells");
+  const vtkIdType cut = interval->GetReport()->GetNumber("CellsWithOutput");
+  std::cout << tetrahedra->GetNumberOfCells() << " tetrahedra from " << cut << " of " << cells
+            << " cells\n";
 
   // Inline, since ParaView 5.11 refuses appended data with the libexpat of Debian 12.
   vtkNew<vtkXMLUnstructuredGridWriter> writer;

@@ -83,7 +83,7 @@ int main(int argc, char* argv[])
   renderer->ResetCamera();
   renderer->GetActiveCamera()->Zoom(1.5);
   window->Render();
-  if (intervals->GetReport().CellsWithOutput == 0)
+  if (intervals->GetReport()->GetNumber("CellsWithOutput") == 0)
   {
     std::cerr << "nothing of " << argv[2] << " lies in these intervals\n";
     return EXIT_FAILURE;

@@ -122,9 +122,10 @@ int main(int argc, char* argv[])
     std::cerr << "nothing of " << argv[2] << " lies in that interval at any time\n";
     return EXIT_FAILURE;
   }
-  const vtkTimeVaryingReport& report = interval->GetReport();
-  std::cout << tetrahedra->GetNumberOfCells() << " tetrahedra of " << report.Simplices
-            << " 4-simplices between " << report.TimeSteps << " steps\n";
+  const vtkIdType simplices = interval->GetReport()->GetNumber("Simplices");
+  std::cout << tetrahedra->GetNumberOfCells() << " tetrahedra of " << simplices
+            << " 4-simplices between " << interval->GetReport()->GetNumber("TimeSteps")
+            << " steps\n";
 
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(tetrahedra);

@@ -2,11 +2,12 @@
 #include "vtkInterlumeReport.h"
 
 #include "vtkDataArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkStringArray.h"
-#include "vtkVariant.h"
 
 #include <limits>
+#include <sstream>
 
 vtkStandardNewMacro(vtkInterlumeReport);
 
@@ -62,14 +63,17 @@ void vtkInterlumeReport::PrintSelf(ostream& os, vtkIndent indent)
     os << indent << values->GetName() << ":";
     for (vtkIdType entry = 0; entry < values->GetNumberOfValues(); ++entry)
     {
-      os << " ";
       if (auto* texts = vtkStringArray::SafeDownCast(values))
       {
-        os << texts->GetValue(entry);
+        os << " " << texts->GetValue(entry);
+      }
+      else if (auto* counts = vtkIdTypeArray::SafeDownCast(values))
+      {
+        os << " " << counts->GetValue(entry);
       }
       else
       {
-        os << this->GetNumber(values->GetName(), entry);
+        os << " " << this->GetNumber(values->GetName(), entry);
       }
     }
     os << "\n";

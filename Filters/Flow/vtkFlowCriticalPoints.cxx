@@ -3,7 +3,7 @@
 
 #include "Common/AbortCheck.h"
 #include "Common/Error.h"
-#include "Common/NamedValue.h"
+#include "Common/ReportValue.h"
 #include "Fields/FieldVectors.h"
 #include "Numerics/RealEigenvalues.h"
 #include "Samples/OutputPiece.h"
@@ -78,10 +78,18 @@ int Classify(const double eigenvalues[6])
     vtkFlowCriticalPoints::SADDLE_1_IN, vtkFlowCriticalPoints::SOURCE };
   return types[outgoing] + (isSpiral ? 1 : 0);
 }
+
+void SetReport(vtkInterlumeReport* report, const interlume::ZeroSearch::Counts& counts = {})
+{
+  interlume::ReportValue::Set(report,
+    { { "ZeroCells", counts.ZeroCells }, { "DegenerateCells", counts.DegenerateCells },
+      { "NonFiniteCells", counts.NonFiniteCells }, { "FillValueCells", counts.FillValueCells } });
+}
 }
 
 vtkFlowCriticalPoints::vtkFlowCriticalPoints()
 {
+  SetReport(this->Report);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::VECTORS);
 }
@@ -112,7 +120,7 @@ int vtkFlowCriticalPoints::RequestData(
 {
   vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  this->Report = vtkFlowCriticalPointsReport();
+  SetReport(this->Report);
   if (!input || input->GetNumberOfCells() == 0)
   {
     // Nothing at all is no error, and one piece of several may well have points alone.
@@ -137,10 +145,8 @@ int vtkFlowCriticalPoints::RequestData(
   {
     return interlume::AbortCheck::Leave(outputs);
   }
-  this->Report.ZeroCells = search.GetCounts().ZeroCells;
-  this->Report.DegenerateCells = search.GetCounts().DegenerateCells;
-  this->Report.NonFiniteCells = search.GetCounts().NonFiniteCells;
-  this->Report.FillValueCells = search.GetCounts().FillValueCells;
+  const interlume::ZeroSearch::Counts& counts = search.GetCounts();
+  SetReport(this->Report, counts);
   for (const std::string& skipped :
     { search.DescribeFillValues(vectors->GetName()), search.DescribeNonFinite(vectors->GetName()) })
   {
@@ -188,25 +194,17 @@ int vtkFlowCriticalPoints::RequestData(
   if (points->GetNumberOfPoints() == 0)
   {
     vtkWarningMacro("The field has no isolated critical point in "
-      << input->GetNumberOfCells() << " cells: " << this->Report.ZeroCells << " are 0 throughout, "
-      << this->Report.DegenerateCells << " have lines or surfaces of zeros, "
-      << this->Report.NonFiniteCells << " are not finite, " << this->Report.FillValueCells
-      << " have fill values.");
+      << input->GetNumberOfCells() << " cells: " << counts.ZeroCells << " are 0 throughout, "
+      << counts.DegenerateCells << " have lines or surfaces of zeros, " << counts.NonFiniteCells
+      << " are not finite, " << counts.FillValueCells << " have fill values.");
   }
   this->UpdateProgress(1.0);
   return 1;
-}
-
-void vtkFlowCriticalPointsReport::Print(std::ostream& os, vtkIndent indent) const
-{
-  interlume::NamedValue::Print(os, indent,
-    { { "ZeroCells", this->ZeroCells }, { "DegenerateCells", this->DegenerateCells },
-      { "NonFiniteCells", this->NonFiniteCells }, { "FillValueCells", this->FillValueCells } });
 }
 
 void vtkFlowCriticalPoints::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Report:\n";
-  this->Report.Print(os, indent.GetNextIndent());
+  this->Report->PrintSelf(os, indent.GetNextIndent());
 }

@@ -2,8 +2,9 @@
 #ifndef vtkFlowCriticalPoints_h
 #define vtkFlowCriticalPoints_h
 
-#include "InterlumeFlowModule.h"         // for the export macro
-#include "vtkFlowCriticalPointsReport.h" // for the report
+#include "InterlumeFlowModule.h" // for the export macro
+#include "vtkInterlumeReport.h"  // for GetReport()
+#include "vtkNew.h"              // for the report
 #include "vtkPolyDataAlgorithm.h"
 
 /**
@@ -66,8 +67,14 @@ public:
   };
   static const char* GetTypeName(int type);
 
-  /// What the last execution did.
-  const vtkFlowCriticalPointsReport& GetReport() const { return this->Report; }
+  /**
+   * Returns what the last execution did:
+   * - ZeroCells: cells in which the field is 0 throughout,
+   * - DegenerateCells: cells with zeros that are not isolated,
+   * - NonFiniteCells: cells that were skipped because they are not finite,
+   * - FillValueCells: cells that were skipped because a point has fill values.
+   */
+  vtkInterlumeReport* GetReport() { return this->Report; }
 
 protected:
   vtkFlowCriticalPoints();
@@ -80,7 +87,7 @@ private:
   vtkFlowCriticalPoints(const vtkFlowCriticalPoints&) = delete;
   void operator=(const vtkFlowCriticalPoints&) = delete;
 
-  vtkFlowCriticalPointsReport Report;
+  vtkNew<vtkInterlumeReport> Report;
 };
 
 #endif

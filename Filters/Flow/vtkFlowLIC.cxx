@@ -8,6 +8,7 @@
 #include "Common/Vectors.h"
 #include "Convolution/ArcWalk.h"
 #include "Convolution/ConvolutionKernel.h"
+#include "Convolution/FlowLICReport.h"
 #include "Convolution/LatticeNoise.h"
 #include "Fields/FieldDispatch.h"
 #include "Fields/FieldVectors.h"
@@ -39,6 +40,7 @@ constexpr double RelativeMinimumSpeed = 1e-9;
 
 vtkFlowLIC::vtkFlowLIC()
 {
+  interlume::FlowLICReport().CopyTo(this->Report);
   this->SetNumberOfInputPorts(2);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::VECTORS);
@@ -77,9 +79,8 @@ int vtkFlowLIC::RequestUpdateExtent(
   return 1;
 }
 
-interlume::Error vtkFlowLIC::FindSteps(vtkDataSet* points)
+interlume::Error vtkFlowLIC::FindSteps(vtkDataSet* points, interlume::FlowLICReport& report) const
 {
-  vtkFlowLICReport& report = this->Report;
   report.NoiseScale = this->NoiseScale;
   if (report.NoiseScale == 0.0)
   {
@@ -106,7 +107,8 @@ interlume::Error vtkFlowLIC::FindSteps(vtkDataSet* points)
 int vtkFlowLIC::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  this->Report = vtkFlowLICReport();
+  interlume::FlowLICReport report;
+  report.CopyTo(this->Report);
   vtkDataSet* points = vtkDataSet::GetData(inputs[0]);
   vtkDataSet* field =
     inputs[1]->GetNumberOfInformationObjects() > 0 ? vtkDataSet::GetData(inputs[1]) : points;
@@ -119,7 +121,7 @@ int vtkFlowLIC::RequestData(
   vtkDataArray* vectors = this->GetInputArrayToProcess(0, field, association);
   interlume::Error error = interlume::FieldVectors::CheckVectors(
     field, vectors, association, this->GetInputArrayInformation(0));
-  error = error.Then([&] { return this->FindSteps(points); });
+  error = error.Then([&] { return this->FindSteps(points, report); });
   output->ShallowCopy(points);
   this->SetProgressText("Convolving noise along streamlines");
   vtkNew<vtkFloatArray> values;
@@ -135,7 +137,7 @@ int vtkFlowLIC::RequestData(
       {
         fill = walker.GetField().GetFillValues();
         nonFinite = walker.GetField().GetNumberOfNonFiniteVectors();
-        this->Convolve(walker, points, values->GetPointer(0));
+        this->Convolve(walker, points, values->GetPointer(0), report);
       },
       interlume::StageProgress(this, 0.0, interlume::FieldDispatch::BuildingPart));
   }
@@ -145,6 +147,7 @@ int vtkFlowLIC::RequestData(
   }
   if (error || this->GetAbortExecute())
   {
+    report.CopyTo(this->Report);
     output->Initialize();
     return this->GetAbortExecute() ? interlume::AbortCheck::Leave(outputs) : 1;
   }
@@ -152,24 +155,25 @@ int vtkFlowLIC::RequestData(
   output->GetPointData()->AddArray(values);
   output->GetPointData()->SetActiveScalars(values->GetName());
   const bool isWhole = interlume::OutputPiece::IsWhole(outputs->GetInformationObject(0));
-  this->Report.FillValues = fill.Number;
+  report.FillValues = fill.Number;
+  report.NonFiniteVectors = nonFinite;
+  report.CopyTo(this->Report);
   if (fill.Number > 0 && isWhole)
   {
     vtkWarningMacro(<< fill.Describe(vectors->GetName(),
                       "The least speed ignores them, but streamlines in cells with such points "
                       "follow them."));
   }
-  this->Report.NonFiniteVectors = nonFinite;
   if (nonFinite > 0 && isWhole)
   {
     vtkWarningMacro(<< interlume::DescribeNonFinite(
                       nonFinite, vectors->GetName(), "Streamlines end at cells with such points."));
   }
-  if (this->Report.PointsOutside == this->Report.Points && isWhole)
+  if (report.PointsOutside == report.Points && isWhole)
   {
     double bounds[6];
     field->GetBounds(bounds);
-    vtkWarningMacro("All " << this->Report.Points
+    vtkWarningMacro("All " << report.Points
                            << " points lie outside of the field, whose bounds are x " << bounds[0]
                            << " to " << bounds[1] << ", y " << bounds[2] << " to " << bounds[3]
                            << ", z " << bounds[4] << " to " << bounds[5] << "; LIC is 0 there.");
@@ -178,20 +182,20 @@ int vtkFlowLIC::RequestData(
 }
 
 template <typename Walker>
-void vtkFlowLIC::Convolve(const Walker& walker, vtkDataSet* points, float* values)
+void vtkFlowLIC::Convolve(
+  const Walker& walker, vtkDataSet* points, float* values, interlume::FlowLICReport& report)
 {
   if constexpr (std::is_same_v<Walker, interlume::UnstructuredWalker>)
   {
     this->Mesh = walker.GetField().GetMesh();
   }
-  vtkFlowLICReport& report = this->Report;
   const double minimumSpeed = std::max(
     RelativeMinimumSpeed * walker.GetField().GetSpeedScale(), std::numeric_limits<double>::min());
   const interlume::LatticeNoise noise(report.NoiseScale, this->Seed);
   const interlume::ConvolutionKernel kernel(
     this->Kernel == HANN, report.Steps, report.StepLength, report.NoiseScale);
   const double contrast = this->Contrast;
-  vtkSMPThreadLocal<vtkFlowLICReport> counts;
+  vtkSMPThreadLocal<interlume::FlowLICReport> counts;
   double first[3];
   // Makes the data that the dataset makes at the first call, before threads need them.
   points->GetPoint(0, first);
@@ -200,7 +204,7 @@ void vtkFlowLIC::Convolve(const Walker& walker, vtkDataSet* points, float* value
     [&](vtkIdType begin, vtkIdType end)
     {
       interlume::ArcWalk<Walker> walk(walker, minimumSpeed);
-      vtkFlowLICReport& count = counts.Local();
+      interlume::FlowLICReport& count = counts.Local();
       for (vtkIdType id = begin; id < end; ++id)
       {
         double x[3];
@@ -235,23 +239,12 @@ void vtkFlowLIC::Convolve(const Walker& walker, vtkDataSet* points, float* value
       }
     });
   report.Points = points->GetNumberOfPoints();
-  for (const vtkFlowLICReport& count : counts)
+  for (const interlume::FlowLICReport& count : counts)
   {
     report.PointsOutside += count.PointsOutside;
     report.PointsAtRest += count.PointsAtRest;
     report.PointsWithShortLines += count.PointsWithShortLines;
   }
-}
-
-void vtkFlowLICReport::Print(std::ostream& os, vtkIndent indent) const
-{
-  interlume::NamedValue::Print(os, indent,
-    { { "Points", this->Points }, { "PointsOutside", this->PointsOutside },
-      { "PointsAtRest", this->PointsAtRest },
-      { "PointsWithShortLines", this->PointsWithShortLines }, { "Steps", this->Steps },
-      { "StepLength", this->StepLength }, { "Length", this->Length },
-      { "NoiseScale", this->NoiseScale }, { "FillValues", this->FillValues },
-      { "NonFiniteVectors", this->NonFiniteVectors } });
 }
 
 void vtkFlowLIC::PrintSelf(ostream& os, vtkIndent indent)
@@ -262,5 +255,5 @@ void vtkFlowLIC::PrintSelf(ostream& os, vtkIndent indent)
       { "NoiseScale", this->NoiseScale }, { "StepLength", this->StepLength },
       { "Seed", this->Seed }, { "Contrast", this->Contrast } });
   os << indent << "Report:\n";
-  this->Report.Print(os, indent.GetNextIndent());
+  this->Report->PrintSelf(os, indent.GetNextIndent());
 }

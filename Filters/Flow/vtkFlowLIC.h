@@ -4,7 +4,8 @@
 
 #include "InterlumeFlowModule.h" // for the export macro
 #include "vtkDataSetAlgorithm.h"
-#include "vtkFlowLICReport.h" // for the report
+#include "vtkInterlumeReport.h" // for GetReport()
+#include "vtkNew.h"             // for the report
 
 #include <memory>
 
@@ -12,6 +13,7 @@ namespace interlume
 {
 class Error;
 class MeshLinks;
+struct FlowLICReport;
 }
 
 /**
@@ -132,8 +134,18 @@ public:
   vtkGetMacro(Contrast, double);
   ///@}
 
-  /// What the last execution did.
-  const vtkFlowLICReport& GetReport() const { return this->Report; }
+  /**
+   * Returns what the last execution did:
+   * - Points: points of the output,
+   * - PointsOutside: points outside of the field, whose value is 0,
+   * - PointsAtRest: points in the field whose velocity is not finite or below 1e-9 of the largest,
+   * - PointsWithShortLines: other points in the field whose streamline ends before Length,
+   * - Steps: steps each way of a full streamline,
+   * - StepLength, Length, NoiseScale: the lengths in use, also if the settings are automatic,
+   * - FillValues: points of the field with vectors that look like fill values,
+   * - NonFiniteVectors: points of the field's cells with vectors that are NaN or infinite.
+   */
+  vtkInterlumeReport* GetReport() { return this->Report; }
 
 protected:
   vtkFlowLIC();
@@ -149,9 +161,10 @@ private:
 
   /// Fills the lengths and the number of steps in the report. Returns an error if there are too
   /// many steps.
-  interlume::Error FindSteps(vtkDataSet* points);
+  interlume::Error FindSteps(vtkDataSet* points, interlume::FlowLICReport& report) const;
   template <typename Walker>
-  void Convolve(const Walker& walker, vtkDataSet* points, float* values);
+  void Convolve(
+    const Walker& walker, vtkDataSet* points, float* values, interlume::FlowLICReport& report);
 
   int Kernel = HANN;
   double Length = 0.0;
@@ -159,7 +172,7 @@ private:
   double StepLength = 0.0;
   int Seed = 0;
   double Contrast = 0.2;
-  vtkFlowLICReport Report;
+  vtkNew<vtkInterlumeReport> Report;
   /// What was found of the last field's mesh, for the next execution.
   std::shared_ptr<const interlume::MeshLinks> Mesh;
 };

@@ -75,9 +75,9 @@ public:
   ///@{
   /**
    * The names of the field arrays of samples in whose cells interpolation was compared with
-   * streamlines (vtkFlowSamplingReport). SamplingChecks (vtkIdType, one tuple): Checks, SplitCells,
-   * DifferentMiddles, Compared. SamplingErrors (double, three tuples: mean, 99 in 100, largest):
-   * the errors of u, v and time.
+   * streamlines (vtkImplicitFlowField::SetSamplingChecks). SamplingChecks (vtkIdType, one tuple):
+   * Checks, SplitCells, DifferentMiddles, Compared. SamplingErrors (double, three tuples: mean, 99
+   * in 100, largest): the errors of u, v and time.
    */
   static const char* SamplingChecksArray() { return "SamplingChecks"; }
   static const char* SamplingErrorsArray() { return "SamplingErrors"; }

@@ -11,6 +11,7 @@
 #include "Samples/BeyondSamples.h"
 #include "Samples/ImplicitFlowArrays.h"
 #include "Samples/OutputPiece.h"
+#include "Volumes/FlowVolumeReport.h"
 #include "Volumes/LevelSetNormals.h"
 #include "Volumes/SurfaceLevels.h"
 #include "Volumes/VolumeExtraction.h"
@@ -193,6 +194,7 @@ void AddNormals(const interlume::SurfaceTriangles& triangles, const char* functi
 vtkFlowVolume::vtkFlowVolume()
   : Extraction(std::make_unique<interlume::VolumeExtraction>())
 {
+  interlume::FlowVolumeReport().CopyTo(this->Report);
   this->SetNumberOfOutputPorts(3);
 }
 
@@ -320,7 +322,8 @@ interlume::Error vtkFlowVolume::CheckParameters(vtkDataSet* input, bool usesInfl
 int vtkFlowVolume::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  this->Report = vtkFlowVolumeReport();
+  interlume::FlowVolumeReport report;
+  report.CopyTo(this->Report);
   vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
   if (input->GetNumberOfPoints() == 0)
   {
@@ -361,8 +364,9 @@ int vtkFlowVolume::RequestData(
   request.Time = cutsTime || !usesInflow ? &byTime : nullptr;
   request.GenerateTimeSurfaces = this->GenerateTimeSurfaces && cutsTime;
   request.Owner = this;
-  if (!this->Extraction->Execute(request, this->Report))
+  if (!this->Extraction->Execute(request, report))
   {
+    report.CopyTo(this->Report);
     return interlume::AbortCheck::Leave(outputs);
   }
   vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(outputs, 0);
@@ -384,7 +388,7 @@ int vtkFlowVolume::RequestData(
     if (this->GenerateNormals)
     {
       AddNormals(triangles, vtkFlowStatus::InflowArray(), mesh, streamSurfaces);
-      ++this->Report.NormalPasses;
+      ++report.NormalPasses;
     }
   }
   if (request.GenerateTimeSurfaces)
@@ -394,7 +398,7 @@ int vtkFlowVolume::RequestData(
     if (this->GenerateNormals)
     {
       AddNormals(triangles, vtkFlowStatus::TimeArray(), mesh, timeSurfaces);
-      ++this->Report.NormalPasses;
+      ++report.NormalPasses;
     }
   }
   for (vtkUnstructuredGrid* output : { mesh, streamSurfaces, timeSurfaces })
@@ -404,9 +408,10 @@ int vtkFlowVolume::RequestData(
     interlume::BeyondSamples::Remove(output->GetFieldData());
     ChooseScalars(output);
   }
+  report.CopyTo(this->Report);
   if (interlume::OutputPiece::IsWhole(outputs->GetInformationObject(0)))
   {
-    const std::string warning = this->DescribeMissing(input, arrays, mesh);
+    const std::string warning = this->DescribeMissing(input, arrays, mesh, report);
     if (!warning.empty())
     {
       vtkWarningMacro(<< warning);
@@ -415,8 +420,9 @@ int vtkFlowVolume::RequestData(
   return 1;
 }
 
-std::string vtkFlowVolume::DescribeMissing(
-  vtkDataSet* input, const interlume::ImplicitFlowArrays& arrays, vtkUnstructuredGrid* mesh) const
+std::string vtkFlowVolume::DescribeMissing(vtkDataSet* input,
+  const interlume::ImplicitFlowArrays& arrays, vtkUnstructuredGrid* mesh,
+  const interlume::FlowVolumeReport& report) const
 {
   std::ostringstream text;
   const auto name = [&text](const std::string& what, const char* array, const auto& range)
@@ -450,14 +456,13 @@ std::string vtkFlowVolume::DescribeMissing(
   }
   if (isEmpty && text.str().empty())
   {
-    const vtkFlowVolumeReport& report = this->Report;
     if (times[0] > times[1])
     {
       text << "None of " << input->GetNumberOfPoints()
            << " samples reached a termination surface. ";
     }
     text << "None of " << report.Cells
-         << " cells has a part of the volume: " << report.CellsWithoutAnswer
+         << " cells has a part of the volume: " << report.CellsWithoutResult
          << " have corners that reached no surface, " << report.CellsBetweenSurfaces
          << " lie between surfaces, " << report.CellsOnSeams << " on seams, "
          << report.CellsAcrossSurfaces << " across their surface, " << report.CellsWithTimeJumps
@@ -493,20 +498,6 @@ void vtkFlowVolume::FillMesh(const interlume::SurfaceLevels& byInflow,
   }
 }
 
-void vtkFlowVolumeReport::Print(std::ostream& os, vtkIndent indent) const
-{
-  interlume::NamedValue::Print(os, indent,
-    { { "Cells", this->Cells }, { "CellsWithoutAnswer", this->CellsWithoutAnswer },
-      { "CellsBetweenSurfaces", this->CellsBetweenSurfaces },
-      { "CellsOnSeams", this->CellsOnSeams }, { "CellsAcrossSurfaces", this->CellsAcrossSurfaces },
-      { "CellsWithTimeJumps", this->CellsWithTimeJumps }, { "CellsCut", this->CellsCut },
-      { "CellsAcrossSeams", this->CellsAcrossSeams },
-      { "CellsAroundPoles", this->CellsAroundPoles }, { "PointsOnSeams", this->PointsOnSeams },
-      { "Preparations", this->Preparations }, { "InflowPasses", this->InflowPasses },
-      { "TimePasses", this->TimePasses }, { "SurfaceCuts", this->SurfaceCuts },
-      { "NormalPasses", this->NormalPasses } });
-}
-
 void vtkFlowVolume::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -521,5 +512,5 @@ void vtkFlowVolume::PrintSelf(ostream& os, vtkIndent indent)
       { "ParametersAsTextureCoordinates", this->ParametersAsTextureCoordinates },
       { "OutputPointsPrecision", this->OutputPointsPrecision } });
   os << indent << "Report:\n";
-  this->Report.Print(os, indent.GetNextIndent());
+  this->Report->PrintSelf(os, indent.GetNextIndent());
 }

@@ -3,9 +3,10 @@
 #define vtkFlowVolume_h
 
 #include "InterlumeFlowModule.h"   // for the export macro
-#include "vtkFlowVolumeReport.h"   // for the report
 #include "vtkFlowVolumeSettings.h" // for what is set
+#include "vtkInterlumeReport.h"    // for GetReport()
 #include "vtkIntervalList.h"       // for the intervals
+#include "vtkNew.h"                // for the report
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <memory>
@@ -20,6 +21,7 @@ class Error;
 class ImplicitFlowArrays;
 class SurfaceLevels;
 class VolumeExtraction;
+struct FlowVolumeReport;
 }
 
 /**
@@ -196,8 +198,19 @@ public:
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
-  /// What the last execution did.
-  const vtkFlowVolumeReport& GetReport() const { return this->Report; }
+  /**
+   * Returns what the last execution did:
+   * - Cells: cells of the input,
+   * - CellsWithoutResult: cells with a corner that reached no surface,
+   * - CellsBetweenSurfaces: cells with corners of different surfaces,
+   * - CellsOnSeams: cells on a seam that the mapping does not continue over,
+   * - CellsAcrossSurfaces: cells across their own termination surface, where time jumps,
+   * - CellsWithTimeJumps: other cells in which time jumps by more than MaximumTimeJump,
+   * - CellsCut: cells without a result, between surfaces or across one that were cut there,
+   * - CellsAroundPoles: cells whose parameters are wrong, since no unwrapping brings their corners
+   *   within half a period.
+   */
+  vtkInterlumeReport* GetReport() { return this->Report; }
 
 protected:
   vtkFlowVolume();
@@ -217,7 +230,7 @@ private:
   /// Returns which part of the volume is missing, and what the input has; nothing where nothing is
   /// missing.
   std::string DescribeMissing(vtkDataSet* input, const interlume::ImplicitFlowArrays& arrays,
-    vtkUnstructuredGrid* mesh) const;
+    vtkUnstructuredGrid* mesh, const interlume::FlowVolumeReport& report) const;
   /// Fills port 0 from the last extraction.
   void FillMesh(const interlume::SurfaceLevels& byInflow, const interlume::SurfaceLevels& byTime,
     vtkUnstructuredGrid* mesh) const;
@@ -225,7 +238,7 @@ private:
   vtkIntervalList Intervals;
   std::vector<double> StreamSurfaces;
   std::vector<double> TimeSurfaces;
-  vtkFlowVolumeReport Report;
+  vtkNew<vtkInterlumeReport> Report;
   std::unique_ptr<interlume::VolumeExtraction> Extraction;
 };
 

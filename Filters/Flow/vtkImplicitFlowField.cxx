@@ -14,6 +14,7 @@
 #include "Samples/OutputPiece.h"
 #include "Samples/RankSamples.h"
 #include "Samples/SampleGrid.h"
+#include "Streams/FlowReport.h"
 #include "Streams/RankField.h"
 
 #include "vtkCallbackCommand.h"
@@ -69,6 +70,7 @@ bool HasRows(vtkDataObject* data)
 
 vtkImplicitFlowField::vtkImplicitFlowField()
 {
+  interlume::FlowReport().CopyTo(this->Report);
   this->Controller = vtkMultiProcessController::GetGlobalController();
   this->SetNumberOfInputPorts(2);
   this->SetInputArrayToProcess(
@@ -411,7 +413,7 @@ struct vtkImplicitFlowField::Execution
   vtkDataArray* Vectors = nullptr;
   vtkSmartPointer<vtkDataSet> Samples;
   std::unique_ptr<interlume::FlowCheckpoint> Checkpoint;
-  vtkFlowReport Report;
+  interlume::FlowReport Report;
 
   vtkInformation* GetOutputInformation() const { return this->Outputs->GetInformationObject(0); }
   /// Returns the first process's error if any process has one.
@@ -431,9 +433,8 @@ int vtkImplicitFlowField::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   Execution execution(request, inputs, outputs, *this);
-  const vtkIdType executions = this->Report.Executions;
-  this->Report = vtkFlowReport();
-  this->Report.Executions = executions;
+  execution.Report.Executions = this->Executions;
+  execution.Report.CopyTo(this->Report);
   this->UsedSurfaces.clear();
   // Image data keep their active scalars from one execution to the next.
   execution.Output->Initialize();
@@ -587,13 +588,14 @@ int vtkImplicitFlowField::Finish(Execution& execution, Outcome outcome)
     execution.Checkpoint->Remove();
   }
   execution.Report.WholeFieldReason = execution.PartitionError.GetMessage();
-  execution.Report.Executions = this->Report.Executions + 1;
-  this->Report = execution.Report;
+  execution.Report.Executions = ++this->Executions;
+  execution.Report.CopyTo(this->Report);
   execution.Output->GetPointData()->SetActiveScalars(vtkFlowStatus::TimeArray());
-  if (this->Report.Samples > 0 && interlume::OutputPiece::IsWhole(execution.GetOutputInformation()))
+  if (execution.Report.Samples > 0 &&
+    interlume::OutputPiece::IsWhole(execution.GetOutputInformation()))
   {
-    this->WarnOfField(execution.Vectors ? execution.Vectors->GetName() : nullptr);
-    this->WarnIfNoneReached();
+    this->WarnOfField(execution.Report, execution.Vectors ? execution.Vectors->GetName() : nullptr);
+    this->WarnIfNoneReached(execution.Report);
   }
   return 1;
 }
@@ -658,50 +660,50 @@ void vtkImplicitFlowField::OpenCheckpoint(Execution& execution)
   execution.Checkpoint->Open(execution.Ranks ? &execution.Ranks->GetExchange() : nullptr);
 }
 
-void vtkImplicitFlowField::WarnOfField(const char* vectors)
+void vtkImplicitFlowField::WarnOfField(const interlume::FlowReport& report, const char* vectors)
 {
-  if (this->Report.OpenInterfaces > 0)
+  if (report.NonconformingFaces > 0)
   {
-    vtkWarningMacro("Streamlines end at " << this->Report.OpenInterfaces
+    vtkWarningMacro("Streamlines end at " << report.NonconformingFaces
                                           << " faces of cells with another cell beyond them, the "
                                              "first of cell "
-                                          << this->Report.FirstOpenCell
+                                          << report.FirstNonconformingCell
                                           << ", as if they left the domain: that cell has no face "
                                              "with the same corners.");
   }
-  if (this->Report.FillValues > 0 && !(this->MaximumError > 0.0 && this->MinimumSpeed > 0.0))
+  if (report.FillValues > 0 && !(this->MaximumError > 0.0 && this->MinimumSpeed > 0.0))
   {
-    const interlume::FillValues fill{ this->Report.FillValues, this->Report.FillValue,
-      this->Report.MaximumSpeed, this->Report.SpeedScale };
+    const interlume::FillValues fill{ report.FillValues, report.FillValue, report.MaximumSpeed,
+      report.SpeedScale };
     vtkWarningMacro(<< fill.Describe(vectors,
                       "The automatic MaximumError and MinimumSpeed ignore them, but streamlines in "
                       "cells with such points follow them."));
   }
-  if (this->Report.NonFiniteVectors > 0)
+  if (report.NonFiniteVectors > 0)
   {
-    vtkWarningMacro(<< interlume::DescribeNonFinite(this->Report.NonFiniteVectors, vectors,
+    vtkWarningMacro(<< interlume::DescribeNonFinite(report.NonFiniteVectors, vectors,
                       "Streamlines end at cells with such points."));
   }
 }
 
-void vtkImplicitFlowField::WarnIfNoneReached()
+void vtkImplicitFlowField::WarnIfNoneReached(const interlume::FlowReport& report)
 {
-  if (!this->Report.Reached.empty())
+  if (!report.SamplesBySurface.empty())
   {
     return;
   }
   std::string ends;
   for (int status = 0; status < vtkFlowStatus::NUMBER_OF_VALUES; ++status)
   {
-    const vtkIdType number = this->Report.Statuses[static_cast<std::size_t>(status)];
+    const vtkIdType number = report.Statuses[static_cast<std::size_t>(status)];
     if (number > 0)
     {
       ends += std::string(ends.empty() ? "" : ", ") + vtkFlowStatus::GetName(status) + " " +
         std::to_string(number);
     }
   }
-  vtkWarningMacro("None of " << this->Report.Samples << " samples reached a termination surface ("
-                             << ends << "). Put the surface where the flow "
+  vtkWarningMacro("None of " << report.Samples << " samples reached a termination surface (" << ends
+                             << "). Put the surface where the flow "
                              << (this->Direction == BACKWARD ? "comes from" : "goes to")
                              << ", or follow streamlines in the other direction.");
 }
@@ -947,5 +949,5 @@ void vtkImplicitFlowField::PrintSelf(ostream& os, vtkIndent indent)
       { "CheckpointFileName", this->CheckpointFileName },
       { "CheckpointInterval", this->CheckpointInterval } });
   os << indent << "Report:\n";
-  this->Report.Print(os, indent.GetNextIndent());
+  this->Report->PrintSelf(os, indent.GetNextIndent());
 }

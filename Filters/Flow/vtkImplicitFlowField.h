@@ -4,9 +4,10 @@
 
 #include "InterlumeFlowModule.h" // for the export macro
 #include "vtkDataSetAlgorithm.h"
-#include "vtkFlowReport.h"   // for the report
-#include "vtkFlowSettings.h" // for what is set
-#include "vtkSmartPointer.h" // for the surfaces
+#include "vtkFlowSettings.h"    // for what is set
+#include "vtkInterlumeReport.h" // for GetReport()
+#include "vtkNew.h"             // for the report
+#include "vtkSmartPointer.h"    // for the surfaces
 
 #include <memory>
 #include <string>
@@ -23,6 +24,7 @@ class Error;
 class FieldInput;
 class MeshLinks;
 struct AdvectionOptions;
+struct FlowReport;
 }
 
 /**
@@ -109,7 +111,7 @@ struct AdvectionOptions;
  * **Checkpoints.** With CheckpointFileName the streamlines that have ended are written to a file
  * while others are followed, and at an abort. An execution that finds the file follows the others
  * alone. It has the bytes of one that was never stopped, and the numbers of its report, but for
- * LaneSteps and those of checkpoints and processes; so it is with refinement, shared streamlines,
+ * those of SIMD steps, checkpoints and processes; so it is with refinement, shared streamlines,
  * further quantities and what lies beyond surfaces. When all is there the file is removed. The
  * output is whole or, after an abort, empty, never partial; the file is a table of streamlines, and
  * has the field array PartialImplicitFlow. A file is replaced by renaming the next one, so that a
@@ -231,7 +233,7 @@ public:
    * The number of cells of samples in whose middles what is interpolated between the samples is
    * compared with a streamline from there, where the samples are made by the filter:
    * SAMPLES_OF_IMAGE, and SAMPLES_AUTOMATIC of a field with more points. The report has the errors
-   * (vtkFlowSamplingReport), and so have the field arrays SamplingChecks and SamplingErrors of
+   * (SamplingErrorU and so on), and so have the field arrays SamplingChecks and SamplingErrors of
    * vtkFlowStatus. The cells are spread over all that have a corner in the field, always the same
    * ones. Cells that are refined are not compared. Default 1000. Valid: 0, for no comparison, to
    * 1000000.
@@ -440,8 +442,17 @@ public:
   int GetUsedSurfaceId(int i) const;
   ///@}
 
-  /// Returns what the last execution did.
-  const vtkFlowReport& GetReport() const { return this->Report; }
+  /**
+   * Returns what the last execution did:
+   * - Samples: samples that were advected,
+   * - Statuses: samples by vtkFlowStatus,
+   * - SurfaceIds, SamplesBySurface: TerminationIds that were reached, and the samples of each,
+   * - SamplingErrorU, SamplingErrorV, SamplingErrorTime: interpolation error between samples, if
+   *   SamplingChecks compared it: the mean, the 99th percentile and the largest,
+   * - MaximumError, MinimumSpeed: the values in use, also if the settings are automatic,
+   * - WholeFieldReason: the reason why each of several processes holds the whole field, if so.
+   */
+  vtkInterlumeReport* GetReport() { return this->Report; }
 
 protected:
   vtkImplicitFlowField();
@@ -512,8 +523,8 @@ private:
   void OpenCheckpoint(Execution& execution);
   /// Warns of fill values, of vectors that are not finite and of open interfaces. \a vectors is the
   /// name of the vectors.
-  void WarnOfField(const char* vectors);
-  void WarnIfNoneReached();
+  void WarnOfField(const interlume::FlowReport& report, const char* vectors);
+  void WarnIfNoneReached(const interlume::FlowReport& report);
   void AddSpheres(vtkDataSet* field, interlume::AdvectionOptions& options);
   /// Adds a surface to the options, and keeps it as long as they last.
   void UseSurface(vtkTerminationSurface* surface, int id, interlume::AdvectionOptions& options);
@@ -529,7 +540,8 @@ private:
   double SampleBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   std::string CheckpointFileName;
   double CheckpointInterval = 60.0;
-  vtkFlowReport Report;
+  vtkNew<vtkInterlumeReport> Report;
+  vtkIdType Executions = 0;
   /// Message of the error for which the field could not be in parts, the time when the input was
   /// modified then, and whether the whole is requested after the parts.
   std::string PartitionError;

@@ -4,7 +4,7 @@
 #include "Common/AbortCheck.h"
 #include "Common/Batches.h"
 #include "Common/Error.h"
-#include "Common/NamedValue.h"
+#include "Common/ReportValue.h"
 #include "Samples/BeyondSamples.h"
 #include "Samples/ImplicitFlowArrays.h"
 #include "Samples/InflowFunction.h"
@@ -47,10 +47,18 @@ interlume::InflowEvaluator& GetEvaluator(
   }
   return *evaluator;
 }
+
+void SetReport(
+  vtkInterlumeReport* report, vtkIdType samples = 0, vtkIdType ids = 0, vtkIdType seams = 0)
+{
+  interlume::ReportValue::Set(
+    report, { { "Samples", samples }, { "Ids", ids }, { "ContinuedSeams", seams } });
+}
 }
 
 vtkInflowMapping::vtkInflowMapping()
 {
+  SetReport(this->Report);
   this->SetFormula(ALL, "u");
 }
 
@@ -263,7 +271,7 @@ int vtkInflowMapping::RequestData(
   vtkDataSet* output = vtkDataSet::GetData(outputs);
   // Image data keep their active scalars from one execution to the next.
   output->Initialize();
-  this->Report = vtkInflowMappingReport();
+  SetReport(this->Report);
   interlume::ImplicitFlowArrays arrays;
   if (const interlume::Error error = arrays.Find(input).Then([this] { return this->Prepare(); }))
   {
@@ -307,6 +315,7 @@ int vtkInflowMapping::RequestData(
   vtkNew<vtkIntArray> periodic;
   periodic->SetName(vtkFlowStatus::InflowPeriodicArray());
   periodic->SetNumberOfComponents(3);
+  vtkIdType continuedSeams = 0;
   for (const auto& surface : arrays.GetSurfaces())
   {
     const bool isU = surface.second[0];
@@ -314,10 +323,9 @@ int vtkInflowMapping::RequestData(
     const int tuple[3] = { surface.first, this->IsContinued(surface.first, 0, isU, isV),
       this->IsContinued(surface.first, 1, isU, isV) };
     periodic->InsertNextTypedTuple(tuple);
-    this->Report.ContinuedSeams += tuple[1] + tuple[2];
+    continuedSeams += tuple[1] + tuple[2];
   }
-  this->Report.Samples = number;
-  this->Report.Ids = periodic->GetNumberOfTuples();
+  SetReport(this->Report, number, periodic->GetNumberOfTuples(), continuedSeams);
   output->ShallowCopy(input);
   output->GetPointData()->AddArray(inflow);
   output->GetPointData()->SetActiveScalars(vtkFlowStatus::InflowArray());
@@ -365,13 +373,6 @@ void vtkInflowMapping::MapBeyond(const interlume::ImplicitFlowArrays& arrays, vt
   data->AddArray(inflow);
 }
 
-void vtkInflowMappingReport::Print(std::ostream& os, vtkIndent indent) const
-{
-  interlume::NamedValue::Print(os, indent,
-    { { "Samples", this->Samples }, { "Ids", this->Ids },
-      { "ContinuedSeams", this->ContinuedSeams } });
-}
-
 void vtkInflowMapping::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -400,5 +401,5 @@ void vtkInflowMapping::PrintSelf(ostream& os, vtkIndent indent)
     }
   }
   os << indent << "Report:\n";
-  this->Report.Print(os, indent.GetNextIndent());
+  this->Report->PrintSelf(os, indent.GetNextIndent());
 }

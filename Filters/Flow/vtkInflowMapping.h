@@ -4,8 +4,9 @@
 
 #include "InterlumeFlowModule.h" // for the export macro
 #include "vtkDataSetAlgorithm.h"
-#include "vtkInflowKind.h"          // for the kinds
-#include "vtkInflowMappingReport.h" // for the report
+#include "vtkInflowKind.h"      // for the kinds
+#include "vtkInterlumeReport.h" // for GetReport()
+#include "vtkNew.h"             // for the report
 
 #include <map>
 #include <memory>
@@ -111,8 +112,13 @@ public:
   /// Returns the time of the last change, of the images too.
   vtkMTimeType GetMTime() override;
 
-  /// What the last execution did.
-  const vtkInflowMappingReport& GetReport() const { return this->Report; }
+  /**
+   * Returns what the last execution did:
+   * - Samples: points of the input,
+   * - Ids: ids of termination surfaces in use,
+   * - ContinuedSeams: seams of u and v that the mappings continue over.
+   */
+  vtkInterlumeReport* GetReport() { return this->Report; }
 
 protected:
   vtkInflowMapping();
@@ -141,7 +147,7 @@ private:
   // The evaluators that Evaluate uses.
   std::map<const interlume::InflowFunction*, std::shared_ptr<interlume::InflowEvaluator>>
     Evaluators;
-  vtkInflowMappingReport Report;
+  vtkNew<vtkInterlumeReport> Report;
 };
 
 #endif

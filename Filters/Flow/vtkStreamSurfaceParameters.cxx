@@ -4,6 +4,7 @@
 #include "Common/Batches.h"
 #include "Common/Error.h"
 #include "Common/NamedValue.h"
+#include "Common/ReportValue.h"
 #include "Common/Vectors.h"
 #include "Fields/PointCopies.h"
 #include "Samples/OutputPiece.h"
@@ -88,9 +89,20 @@ void AddContours(
   output->AddArray(lengths);
   output->AddArray(closed);
 }
+
+void SetReport(vtkInterlumeReport* report, vtkIdType contours = 0, vtkIdType closedContours = 0,
+  vtkIdType addedPoints = 0)
+{
+  interlume::ReportValue::Set(report,
+    { { "Contours", contours }, { "ClosedContours", closedContours },
+      { "AddedPoints", addedPoints } });
+}
 }
 
-vtkStreamSurfaceParameters::vtkStreamSurfaceParameters() = default;
+vtkStreamSurfaceParameters::vtkStreamSurfaceParameters()
+{
+  SetReport(this->Report);
+}
 
 vtkStreamSurfaceParameters::~vtkStreamSurfaceParameters() = default;
 
@@ -244,7 +256,7 @@ int vtkStreamSurfaceParameters::RequestData(
 {
   vtkPointSet* input = vtkPointSet::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  this->Report = vtkStreamSurfaceParametersReport();
+  SetReport(this->Report);
   if (input->GetNumberOfCells() == 0)
   {
     if (interlume::OutputPiece::IsWhole(outputs->GetInformationObject(0)))
@@ -286,10 +298,10 @@ int vtkStreamSurfaceParameters::RequestData(
   AddPointNumbers(made, output->GetPointData());
   output->GetFieldData()->PassData(input->GetFieldData());
   AddContours(work.Contours, output->GetFieldData());
-  this->Report.Contours = static_cast<vtkIdType>(work.Contours.size());
-  this->Report.ClosedContours = std::count_if(work.Contours.begin(), work.Contours.end(),
-    [](const auto& contour) { return contour.IsClosed; });
-  this->Report.AddedPoints = output->GetNumberOfPoints() - input->GetNumberOfPoints();
+  SetReport(this->Report, static_cast<vtkIdType>(work.Contours.size()),
+    std::count_if(work.Contours.begin(), work.Contours.end(),
+      [](const auto& contour) { return contour.IsClosed; }),
+    output->GetNumberOfPoints() - input->GetNumberOfPoints());
   output->GetPointData()->SetActiveScalars(vtkFlowStatus::TimeArray());
   return 1;
 }
@@ -309,13 +321,6 @@ void vtkStreamSurfaceParameters::FillTexture(const std::vector<double>& lengths,
   output->GetPointData()->SetTCoords(texture);
 }
 
-void vtkStreamSurfaceParametersReport::Print(std::ostream& os, vtkIndent indent) const
-{
-  interlume::NamedValue::Print(os, indent,
-    { { "Contours", this->Contours }, { "ClosedContours", this->ClosedContours },
-      { "AddedPoints", this->AddedPoints } });
-}
-
 void vtkStreamSurfaceParameters::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -325,5 +330,5 @@ void vtkStreamSurfaceParameters::PrintSelf(ostream& os, vtkIndent indent)
       { "LengthScale", this->LengthScale }, { "TimeScale", this->TimeScale },
       { "Resolution", this->Resolution } });
   os << indent << "Report:\n";
-  this->Report.Print(os, indent.GetNextIndent());
+  this->Report->PrintSelf(os, indent.GetNextIndent());
 }

@@ -3,9 +3,10 @@
 #define vtkStreamSurfaceParameters_h
 
 #include "InterlumeFlowModule.h" // for the export macro
+#include "vtkInterlumeReport.h"  // for GetReport()
+#include "vtkNew.h"              // for the report
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h"                  // for what is asked
-#include "vtkStreamSurfaceParametersReport.h" // for the report
+#include "vtkSmartPointer.h" // for what is asked
 
 #include <array>
 #include <vector>
@@ -119,8 +120,13 @@ public:
   /// Returns the time of the last change, of the mapping and the surfaces too.
   vtkMTimeType GetMTime() override;
 
-  /// What the last execution did.
-  const vtkStreamSurfaceParametersReport& GetReport() const { return this->Report; }
+  /**
+   * Returns what the last execution did:
+   * - Contours: contours of the inflow on the termination surfaces,
+   * - ClosedContours: closed ones among them,
+   * - AddedPoints: points that were added where parameters jump.
+   */
+  vtkInterlumeReport* GetReport() { return this->Report; }
 
 protected:
   vtkStreamSurfaceParameters();
@@ -153,7 +159,7 @@ private:
   double LengthScale = 1.0;
   double TimeScale = 1.0;
   int Resolution = 256;
-  vtkStreamSurfaceParametersReport Report;
+  vtkNew<vtkInterlumeReport> Report;
 };
 
 #endif

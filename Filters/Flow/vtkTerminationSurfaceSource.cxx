@@ -4,6 +4,7 @@
 #include "Common/AbortCheck.h"
 #include "Common/Error.h"
 #include "Common/NamedValue.h"
+#include "Common/ReportValue.h"
 #include "Termination/TerminationGrid.h"
 
 #include "vtkCellArray.h"
@@ -23,8 +24,20 @@
 
 vtkStandardNewMacro(vtkTerminationSurfaceSource);
 
+namespace
+{
+void SetReport(vtkInterlumeReport* report, int parts = 0, vtkIdType points = 0,
+  vtkIdType borderPoints = 0, vtkIdType triangles = 0, vtkIdType flatTriangles = 0)
+{
+  interlume::ReportValue::Set(report,
+    { { "Parts", parts }, { "Points", points }, { "BorderPoints", borderPoints },
+      { "Triangles", triangles }, { "FlatTriangles", flatTriangles } });
+}
+}
+
 vtkTerminationSurfaceSource::vtkTerminationSurfaceSource()
 {
+  SetReport(this->Report);
   this->SetNumberOfInputPorts(0);
 }
 
@@ -53,8 +66,7 @@ vtkMTimeType vtkTerminationSurfaceSource::GetMTime()
 int vtkTerminationSurfaceSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  this->Report = {};
-  vtkTerminationSurfaceSourceReport report;
+  SetReport(this->Report);
   if (const interlume::Error error =
         this->Surface ? this->Surface->Update() : "there is none; call SetSurface")
   {
@@ -72,12 +84,14 @@ int vtkTerminationSurfaceSource::RequestData(
   vtkNew<vtkIntArray> ids;
   ids->SetName(vtkFlowStatus::IdArray());
   vtkNew<vtkCellArray> triangles;
-  report.Parts = this->Surface->GetNumberOfParts();
-  for (int part = 0; part < report.Parts; ++part)
+  const int parts = this->Surface->GetNumberOfParts();
+  vtkIdType borderPoints = 0;
+  vtkIdType flatTriangles = 0;
+  for (int part = 0; part < parts; ++part)
   {
     interlume::TerminationGrid grid(this->Surface, part, this->ResolutionU, this->ResolutionV);
-    const double start = static_cast<double>(part) / report.Parts;
-    if (!grid.Execute(this, start, start + 1.0 / report.Parts))
+    const double start = static_cast<double>(part) / parts;
+    if (!grid.Execute(this, start, start + 1.0 / parts))
     {
       return interlume::AbortCheck::Leave(outputs);
     }
@@ -94,8 +108,8 @@ int vtkTerminationSurfaceSource::RequestData(
         { offset + triangle[0], offset + triangle[1], offset + triangle[2] });
       ids->InsertNextValue(std::max(this->Surface->GetId(), 0) + part);
     }
-    report.BorderPoints += grid.BorderPoints;
-    report.FlatTriangles += grid.FlatTriangles;
+    borderPoints += grid.BorderPoints;
+    flatTriangles += grid.FlatTriangles;
   }
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   output->SetPoints(points);
@@ -104,17 +118,9 @@ int vtkTerminationSurfaceSource::RequestData(
   output->GetPointData()->SetScalars(parameters);
   output->GetPointData()->SetNormals(normals);
   output->GetCellData()->AddArray(ids);
-  report.Points = output->GetNumberOfPoints();
-  report.Triangles = output->GetNumberOfCells();
-  this->Report = report;
+  SetReport(this->Report, parts, output->GetNumberOfPoints(), borderPoints,
+    output->GetNumberOfCells(), flatTriangles);
   return 1;
-}
-
-void vtkTerminationSurfaceSourceReport::Print(std::ostream& os, vtkIndent indent) const
-{
-  interlume::NamedValue::Print(os, indent,
-    { { "Parts", this->Parts }, { "Points", this->Points }, { "BorderPoints", this->BorderPoints },
-      { "Triangles", this->Triangles }, { "FlatTriangles", this->FlatTriangles } });
 }
 
 void vtkTerminationSurfaceSource::PrintSelf(ostream& os, vtkIndent indent)
@@ -124,5 +130,5 @@ void vtkTerminationSurfaceSource::PrintSelf(ostream& os, vtkIndent indent)
     { { "Surface", this->Surface.GetPointer() }, { "ResolutionU", this->ResolutionU },
       { "ResolutionV", this->ResolutionV } });
   os << indent << "Report:\n";
-  this->Report.Print(os, indent.GetNextIndent());
+  this->Report->PrintSelf(os, indent.GetNextIndent());
 }

@@ -3,9 +3,10 @@
 #define vtkTerminationSurfaceSource_h
 
 #include "InterlumeFlowModule.h" // for the export macro
+#include "vtkInterlumeReport.h"  // for GetReport()
+#include "vtkNew.h"              // for the report
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h"                   // for the surface
-#include "vtkTerminationSurfaceSourceReport.h" // for the report
+#include "vtkSmartPointer.h" // for the surface
 
 class vtkTerminationSurface;
 
@@ -53,8 +54,17 @@ public:
   /// Returns the time of the last change, of the surface too.
   vtkMTimeType GetMTime() override;
 
-  /// Returns what the last execution drew.
-  const vtkTerminationSurfaceSourceReport& GetReport() const { return this->Report; }
+  /**
+   * Returns what the last execution drew:
+   * - Parts: parts of the surface,
+   * - Points: points of the output,
+   * - BorderPoints: those among them that were found on the border of a part, between grid nodes,
+   * - Triangles: triangles of the output,
+   * - FlatTriangles: triangles without area that were left out, as at the poles of a sphere.
+   *
+   * Every number is 0 after an execution that failed or was aborted.
+   */
+  vtkInterlumeReport* GetReport() { return this->Report; }
 
 protected:
   vtkTerminationSurfaceSource();
@@ -69,7 +79,7 @@ private:
   vtkSmartPointer<vtkTerminationSurface> Surface;
   int ResolutionU = 32;
   int ResolutionV = 32;
-  vtkTerminationSurfaceSourceReport Report;
+  vtkNew<vtkInterlumeReport> Report;
 };
 
 #endif

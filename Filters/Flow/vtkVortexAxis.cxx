@@ -4,6 +4,7 @@
 #include "Common/AbortCheck.h"
 #include "Common/Error.h"
 #include "Common/NamedValue.h"
+#include "Common/ReportValue.h"
 #include "Fields/FieldVectors.h"
 #include "Samples/OutputPiece.h"
 #include "Termination/CrossFlow.h"
@@ -185,10 +186,19 @@ interlume::Error CheckVector(const char* name, const double v[3], bool isDirecti
   }
   return what.str();
 }
+
+void SetReport(vtkInterlumeReport* report, int planes = 0, vtkIdType zeros = 0,
+  vtkIdType pointsOnAxis = 0, const interlume::ZeroSearch::Counts& counts = {})
+{
+  interlume::ReportValue::Set(report,
+    { { "Planes", planes }, { "CrossFlowZeros", zeros }, { "PointsOnAxis", pointsOnAxis },
+      { "NonFiniteCells", counts.NonFiniteCells }, { "FillValueCells", counts.FillValueCells } });
+}
 }
 
 vtkVortexAxis::vtkVortexAxis()
 {
+  SetReport(this->Report);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::VECTORS);
 }
@@ -206,7 +216,7 @@ int vtkVortexAxis::RequestData(
 {
   vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  this->Report = vtkVortexAxisReport();
+  SetReport(this->Report);
   if (!input || input->GetNumberOfCells() == 0)
   {
     // Nothing at all is no error, and one piece of several may well have points alone.
@@ -239,10 +249,6 @@ int vtkVortexAxis::RequestData(
   {
     return interlume::AbortCheck::Leave(outputs);
   }
-  this->Report.Planes = flow.GetNumberOfPlanes();
-  this->Report.Places = static_cast<vtkIdType>(search.GetZeros().size());
-  this->Report.NonFiniteCells = search.GetCounts().NonFiniteCells;
-  this->Report.FillValueCells = search.GetCounts().FillValueCells;
   for (const std::string& skipped :
     { search.DescribeFillValues(vectors->GetName()), search.DescribeNonFinite(vectors->GetName()) })
   {
@@ -256,27 +262,21 @@ int vtkVortexAxis::RequestData(
         this->UseSeed ? tracker.FindNearest(this->Seed) : tracker.FindStrongest())
   {
     Write(tracker.Follow(start), output);
-    this->Report.PointsOnAxis = output->GetNumberOfPoints();
   }
   else
   {
     vtkWarningMacro("No plane across the axis ("
       << this->Axis[0] << ", " << this->Axis[1] << ", " << this->Axis[2] << ") has a vortex: of "
-      << this->Report.Places << " places in " << this->Report.Planes
+      << search.GetZeros().size() << " places in " << flow.GetNumberOfPlanes()
       << " planes where the velocity across the axis is "
          "0 none turns around it"
       << (this->MinimumSwirlStrength > 0.0 ? " as strongly as MinimumSwirlStrength." : "."));
   }
+  SetReport(this->Report, flow.GetNumberOfPlanes(),
+    static_cast<vtkIdType>(search.GetZeros().size()), output->GetNumberOfPoints(),
+    search.GetCounts());
   this->UpdateProgress(1.0);
   return 1;
-}
-
-void vtkVortexAxisReport::Print(std::ostream& os, vtkIndent indent) const
-{
-  interlume::NamedValue::Print(os, indent,
-    { { "Planes", this->Planes }, { "Places", this->Places },
-      { "PointsOnAxis", this->PointsOnAxis }, { "NonFiniteCells", this->NonFiniteCells },
-      { "FillValueCells", this->FillValueCells } });
 }
 
 void vtkVortexAxis::PrintSelf(ostream& os, vtkIndent indent)
@@ -288,5 +288,5 @@ void vtkVortexAxis::PrintSelf(ostream& os, vtkIndent indent)
       { "FrameVelocity", this->FrameVelocity }, { "SearchRadius", this->SearchRadius },
       { "MinimumSwirlStrength", this->MinimumSwirlStrength } });
   os << indent << "Report:\n";
-  this->Report.Print(os, indent.GetNextIndent());
+  this->Report->PrintSelf(os, indent.GetNextIndent());
 }

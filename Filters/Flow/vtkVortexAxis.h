@@ -3,8 +3,9 @@
 #define vtkVortexAxis_h
 
 #include "InterlumeFlowModule.h" // for the export macro
+#include "vtkInterlumeReport.h"  // for GetReport()
+#include "vtkNew.h"              // for the report
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkVortexAxisReport.h" // for the report
 
 /**
  * @class   vtkVortexAxis
@@ -105,8 +106,15 @@ public:
   vtkGetMacro(MinimumSwirlStrength, double);
   ///@}
 
-  /// What the last execution did.
-  const vtkVortexAxisReport& GetReport() const { return this->Report; }
+  /**
+   * Returns what the last execution did:
+   * - Planes: planes across Axis,
+   * - CrossFlowZeros: places in the planes where the velocity across Axis is 0,
+   * - PointsOnAxis: those among them that belong to one vortex, which are the points of the line,
+   * - NonFiniteCells: cells that were skipped because they are not finite,
+   * - FillValueCells: cells that were skipped because a point has fill values.
+   */
+  vtkInterlumeReport* GetReport() { return this->Report; }
 
 protected:
   vtkVortexAxis();
@@ -126,7 +134,7 @@ private:
   double FrameVelocity[3] = { 0.0, 0.0, 0.0 };
   double SearchRadius = 0.0;
   double MinimumSwirlStrength = 0.0;
-  vtkVortexAxisReport Report;
+  vtkNew<vtkInterlumeReport> Report;
 };
 
 #endif

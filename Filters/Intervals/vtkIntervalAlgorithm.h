@@ -57,12 +57,12 @@ public:
 
   ///@{
   /**
-   * Whether the processes of the global controller tell each other at the end of an execution how
-   * many cells gave output: in the report's CellsOfRanks, and as field arrays of the first output,
-   * `CellsOfProcesses` and `LoadBalance`, the most over the mean. Then all processes have to
-   * execute, each asked for its piece; an empty piece, an error in here or an abort does not keep
-   * the others waiting, an error of a filter before this one in some of them does. With one
-   * process, or other pieces, nothing is done. Default off.
+   * If true, the processes of the global controller exchange the numbers of cells that gave output
+   * at the end of an execution. They are in the field array `CellsOfProcesses` of the first output,
+   * and their largest over their mean is in `LoadBalance`. Then all processes have to execute, each
+   * asked for its piece; an empty piece, an error in here or an abort does not keep the others
+   * waiting, an error of a filter before this one in some of them does. With one process, or other
+   * pieces, nothing is done. Default off.
    */
   vtkSetMacro(ReportBalance, bool);
   vtkGetMacro(ReportBalance, bool);

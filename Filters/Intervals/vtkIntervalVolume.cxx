@@ -43,6 +43,7 @@ vtkIntervalVolume::vtkIntervalVolume()
   : Index(vtkSmartPointer<interlume::ExtractionIndex>::New())
 {
   this->SetNumberOfOutputPorts(2);
+  interlume::ExtractionReport().CopyTo(this->Report);
 }
 
 vtkIntervalVolume::~vtkIntervalVolume() = default;
@@ -116,20 +117,18 @@ interlume::Error vtkIntervalVolume::CheckParameters(vtkDataSet* input) const
 int vtkIntervalVolume::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  interlume::ExtractionRun run(
-    this,
+  interlume::ExtractionRun run(this,
     [this](vtkDataSet* input, int& association)
-    { return this->GetInputAbstractArrayToProcess(0, input, association); },
-    this->Report);
+    { return this->GetInputAbstractArrayToProcess(0, input, association); });
   this->Index->BeginExecution();
   this->BeginMemory();
   interlume::DataSetLeaves::ForEach(this, inputs, outputs,
     [&](vtkDataSet* input, const std::vector<vtkUnstructuredGrid*>& grids)
     { this->ExtractFrom(input, run, grids[0], grids[1]); });
-  this->EndMemory();
+  this->EndMemory(run.GetReport());
   run.Finish({ this->GetIntervals(), interlume::EmptyResult::Describe(this->GetIntervals()),
                this->GetNumberOfIntervals() == 0 ? "no interval is set." : "" },
-    this->GetReportBalance(), this->GetWarnOnEmptyOutput());
+    this->GetReportBalance(), this->GetWarnOnEmptyOutput(), this->Report);
   return 1;
 }
 
@@ -175,7 +174,10 @@ void vtkIntervalVolume::ExtractFrom(vtkDataSet* input, interlume::ExtractionRun&
     // The outputs had the field data, which criteria and an abort clear.
     grid->GetFieldData()->ShallowCopy(input->GetFieldData());
   }
-  this->Report.Passes = completed ? passes : this->Report.Passes;
+  if (completed)
+  {
+    run.GetReport().Passes = passes;
+  }
 }
 
 void vtkIntervalVolume::BeginMemory()
@@ -192,13 +194,13 @@ void vtkIntervalVolume::BeginMemory()
   this->Memory->BeginExecution();
 }
 
-void vtkIntervalVolume::EndMemory()
+void vtkIntervalVolume::EndMemory(interlume::ExtractionReport& report)
 {
   if (this->Memory)
   {
     this->Memory->EndExecution();
-    this->Report.ReusedBytes = static_cast<vtkIdType>(this->Memory->GetBytesReused());
-    this->Report.IdleBytes = static_cast<vtkIdType>(this->Memory->GetBytesIdle());
+    report.ReusedBytes = static_cast<vtkIdType>(this->Memory->GetBytesReused());
+    report.IdleBytes = static_cast<vtkIdType>(this->Memory->GetBytesIdle());
   }
 }
 
@@ -216,7 +218,7 @@ bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalar
   }
   const interlume::ExtractionValues values =
     interlume::ExtractionValues::ForIntervals(this->GetIntervals());
-  vtkExtractionReport report;
+  interlume::ExtractionReport report;
   interlume::Extraction extraction;
   extraction.Owner = this;
   extraction.Values = &values;
@@ -243,7 +245,7 @@ bool vtkIntervalVolume::ApplyCriterion(int number, interlume::ExtractionRun& run
   boundary->Initialize();
   const interlume::ExtractionValues values =
     interlume::ExtractionValues::ForIntervals({ { { criterion.Lower, criterion.Upper } } });
-  vtkExtractionReport report;
+  interlume::ExtractionReport report;
   interlume::Extraction extraction;
   extraction.Owner = this;
   extraction.Values = &values;
@@ -257,8 +259,9 @@ bool vtkIntervalVolume::ApplyCriterion(int number, interlume::ExtractionRun& run
         << criterion.Upper;
   run.GetEmptyResult().AddCriterion(
     number, words.str(), array, before->GetNumberOfCells(), grid->GetNumberOfCells());
-  this->Report.CollapsedSimplices += report.CollapsedSimplices;
-  this->Report.WorkingBytes = std::max(this->Report.WorkingBytes,
+  interlume::ExtractionReport& sum = run.GetReport();
+  sum.CollapsedSimplices += report.CollapsedSimplices;
+  sum.WorkingBytes = std::max(sum.WorkingBytes,
     report.WorkingBytes + 1024 * static_cast<vtkIdType>(before->GetActualMemorySize()));
   return completed;
 }
@@ -278,5 +281,5 @@ void vtkIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseValueIndex: " << this->UseValueIndex << "\n";
   os << indent << "KeepMemory: " << this->KeepMemory << "\n";
   os << indent << "Report:\n";
-  this->Report.Print(os, indent.GetNextIndent());
+  this->Report->PrintSelf(os, indent.GetNextIndent());
 }

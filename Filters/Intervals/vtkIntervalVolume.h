@@ -3,8 +3,9 @@
 #define vtkIntervalVolume_h
 
 #include "InterlumeIntervalsModule.h" // for the export macro
-#include "vtkExtractionReport.h"      // for the report
+#include "vtkInterlumeReport.h"       // for GetReport()
 #include "vtkIntervalAlgorithm.h"
+#include "vtkNew.h"          // for the report
 #include "vtkSmartPointer.h" // for the value index
 
 #include <memory> // for what is kept
@@ -20,6 +21,7 @@ class Error;
 class ExtractionIndex;
 class ExtractionRun;
 class KeptMemory;
+struct ExtractionReport;
 struct WholePass;
 }
 
@@ -202,8 +204,7 @@ public:
    * pages is a tenth to a half of the time of an update. The result is the same to the last byte.
    * An output that others hold stays theirs; what they let go of comes back. Blocks that two
    * executions in a row have not used are freed, and all where this is off in an execution, or the
-   * filter is deleted: in between at most about one output more is held, see the report's
-   * IdleBytes. Default off.
+   * filter is deleted: in between at most about one output more is held. Default off.
    */
   vtkSetMacro(KeepMemory, bool);
   vtkGetMacro(KeepMemory, bool);
@@ -211,9 +212,17 @@ public:
   ///@}
 
   /**
-   * Returns what the last execution did.
+   * Returns the report of the last execution:
+   * - Cells, CellsWithOutput: cells of the input, and those of them that give a simplex
+   * - BlankedCells: cells skipped because they or a point are blanked, hidden or a ghost
+   * - NonFiniteCells: cells skipped because a value or a coordinate is NaN or infinite
+   * - LowerDimensionalCells, UnsupportedCells: cells skipped because of their type
+   * - LinearizedCells: quadratic and higher cells treated as linear
+   * - ConcavePolyhedra: polyhedra whose parts overlap
+   * - FoldedCells: cells with output that cross themselves
+   * - NonPlanarFaces: quadrilaterals where KeepWholeCells may leave a gap or an overlap
    */
-  const vtkExtractionReport& GetReport() const { return this->Report; }
+  vtkInterlumeReport* GetReport() { return this->Report; }
 
 protected:
   vtkIntervalVolume();
@@ -250,7 +259,7 @@ private:
   ///@{
   /// Begins and ends what memory is kept in an execution.
   void BeginMemory();
-  void EndMemory();
+  void EndMemory(interlume::ExtractionReport& report);
   ///@}
 
   std::vector<Criterion> Criteria;
@@ -259,7 +268,7 @@ private:
   bool KeepOrigins = false;
   bool UseValueIndex = true;
   bool KeepMemory = false;
-  vtkExtractionReport Report;
+  vtkNew<vtkInterlumeReport> Report;
   vtkSmartPointer<interlume::ExtractionIndex> Index;
   /// Null where no memory is kept.
   std::unique_ptr<interlume::KeptMemory> Memory;

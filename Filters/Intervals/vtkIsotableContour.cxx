@@ -27,6 +27,7 @@ constexpr int MaximumNumberOfContours = 20000;
 vtkIsotableContour::vtkIsotableContour()
   : Index(vtkSmartPointer<interlume::ExtractionIndex>::New())
 {
+  interlume::ExtractionReport().CopyTo(this->Report);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
@@ -98,11 +99,9 @@ int vtkIsotableContour::RequestUpdateExtent(
 int vtkIsotableContour::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  interlume::ExtractionRun run(
-    this,
+  interlume::ExtractionRun run(this,
     [this](vtkDataSet* input, int& association)
-    { return this->GetInputAbstractArrayToProcess(0, input, association); },
-    this->Report);
+    { return this->GetInputAbstractArrayToProcess(0, input, association); });
   this->Index->BeginExecution();
   interlume::DataSetLeaves::ForEach(this, inputs, outputs,
     [&](vtkDataSet* input, const std::vector<vtkUnstructuredGrid*>& grids)
@@ -114,7 +113,7 @@ int vtkIsotableContour::RequestData(
   }
   run.Finish({ surfaces, interlume::EmptyResult::Describe(this->Values),
                this->Values.empty() ? "no value is set." : "" },
-    this->ReportBalance, this->WarnOnEmptyOutput);
+    this->ReportBalance, this->WarnOnEmptyOutput, this->Report);
   return 1;
 }
 
@@ -142,7 +141,7 @@ void vtkIsotableContour::ExtractFrom(
     return;
   }
   const interlume::ExtractionValues values = interlume::ExtractionValues::ForContours(this->Values);
-  vtkExtractionReport report;
+  interlume::ExtractionReport report;
   interlume::Extraction extraction;
   extraction.Owner = this;
   extraction.Values = &values;
@@ -176,5 +175,5 @@ void vtkIsotableContour::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WarnOnEmptyOutput: " << this->WarnOnEmptyOutput << "\n";
   os << indent << "ReportBalance: " << this->ReportBalance << "\n";
   os << indent << "Report:\n";
-  this->Report.Print(os, indent.GetNextIndent());
+  this->Report->PrintSelf(os, indent.GetNextIndent());
 }

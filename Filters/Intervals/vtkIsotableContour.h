@@ -3,7 +3,8 @@
 #define vtkIsotableContour_h
 
 #include "InterlumeIntervalsModule.h" // for the export macro
-#include "vtkExtractionReport.h"      // for the report
+#include "vtkInterlumeReport.h"       // for GetReport()
+#include "vtkNew.h"                   // for the report
 #include "vtkSmartPointer.h"          // for the value index
 #include "vtkUnstructuredGridAlgorithm.h"
 
@@ -128,9 +129,17 @@ public:
   ///@}
 
   /**
-   * Returns what the last execution did.
+   * Returns the report of the last execution:
+   * - Cells, CellsWithOutput: cells of the input, and those of them that give a simplex
+   * - BlankedCells: cells skipped because they or a point are blanked, hidden or a ghost
+   * - NonFiniteCells: cells skipped because a value or a coordinate is NaN or infinite
+   * - LowerDimensionalCells, UnsupportedCells: cells skipped because of their type
+   * - LinearizedCells: quadratic and higher cells treated as linear
+   * - ConcavePolyhedra: polyhedra whose parts overlap
+   * - FoldedCells: cells with output that cross themselves
+   * - LevelFaces: faces between two levels of an AMR input where the surface has gaps
    */
-  const vtkExtractionReport& GetReport() const { return this->Report; }
+  vtkInterlumeReport* GetReport() { return this->Report; }
 
 protected:
   vtkIsotableContour();
@@ -159,7 +168,7 @@ private:
   bool UseValueIndex = true;
   bool WarnOnEmptyOutput = true;
   bool ReportBalance = false;
-  vtkExtractionReport Report;
+  vtkNew<vtkInterlumeReport> Report;
   vtkSmartPointer<interlume::ExtractionIndex> Index;
 };
 

@@ -3,6 +3,7 @@
 
 #include "Arrays/ExtractionArrays.h"
 #include "Arrays/PointArrays.h"
+#include "Common/ReportValue.h"
 #include "Pass/NonFinitePoints.h"
 #include "Scalars/ExtractionDispatch.h"
 #include "Scalars/ExtractionScalars.h"
@@ -36,6 +37,25 @@
 #include <sstream>
 
 vtkStandardNewMacro(vtkSimplexTimeSlice);
+
+namespace interlume
+{
+/// The values of vtkSimplexTimeSlice::GetReport().
+struct SimplexTimeSliceReport
+{
+  double Time = 0.0;
+  vtkIdType Simplices = 0;
+  vtkIdType Tetrahedra = 0;
+  vtkIdType NonFiniteSimplices = 0;
+
+  void CopyTo(vtkInterlumeReport* report) const
+  {
+    ReportValue::Set(report,
+      { { "Time", this->Time }, { "Simplices", this->Simplices },
+        { "Tetrahedra", this->Tetrahedra }, { "NonFiniteSimplices", this->NonFiniteSimplices } });
+  }
+};
+}
 
 namespace
 {
@@ -80,9 +100,27 @@ void FindTimes(vtkDataObject* input, double range[2])
     }
   }
 }
+
+// Returns an error if the array of times or the time of the slice is invalid.
+interlume::Error CheckTimes(vtkUnstructuredGrid* input, double time)
+{
+  interlume::Error error = interlume::ExtractionInput::CheckScalars(input,
+    input->GetPointData()->GetAbstractArray(TimeName), vtkDataObject::FIELD_ASSOCIATION_POINTS,
+    "point array \"Time\"");
+  if (error || std::isfinite(time))
+  {
+    return error;
+  }
+  std::ostringstream words;
+  words << "The time of the slice is " << time << "; it has to be finite.";
+  return words.str();
+}
 }
 
-vtkSimplexTimeSlice::vtkSimplexTimeSlice() = default;
+vtkSimplexTimeSlice::vtkSimplexTimeSlice()
+{
+  interlume::SimplexTimeSliceReport().CopyTo(this->Report);
+}
 
 vtkSimplexTimeSlice::~vtkSimplexTimeSlice() = default;
 
@@ -142,49 +180,38 @@ int vtkSimplexTimeSlice::RequestData(
 {
   FindTimes(vtkDataObject::GetData(inputs[0]), this->InputRange);
   vtkInformation* info = outputs->GetInformationObject(0);
-  this->Report = vtkSimplexTimeSliceReport();
-  this->Report.Time = this->GetTimeOfSlice(info);
+  interlume::SimplexTimeSliceReport report;
+  report.Time = this->GetTimeOfSlice(info);
   this->SetProgressText("Cutting the 4-simplices");
   vtkInformation* request = this->FollowTime ? info : nullptr;
   interlume::EmptyResult empty;
   interlume::DataSetLeaves::ForEach(this, inputs, outputs,
     [&](vtkDataSet* input, const std::vector<vtkUnstructuredGrid*>& grids)
-    { this->Slice(input, request, grids[0], empty); });
+    { this->Slice(input, request, grids[0], empty, report); });
+  report.CopyTo(this->Report);
   if (vtkCompositeDataSet* composite = vtkCompositeDataSet::GetData(info))
   {
     SetRequestedTime(request, composite);
   }
   if (this->WarnOnEmptyOutput && empty.IsUnexplained(this))
   {
-    vtkWarningMacro("The output is empty: " << this->ExplainEmpty());
+    vtkWarningMacro("The output is empty: " << this->ExplainEmpty(report.Time));
   }
   return 1;
 }
 
-interlume::Error vtkSimplexTimeSlice::CheckTimes(vtkUnstructuredGrid* input) const
-{
-  interlume::Error error = interlume::ExtractionInput::CheckScalars(input,
-    input->GetPointData()->GetAbstractArray(TimeName), vtkDataObject::FIELD_ASSOCIATION_POINTS,
-    "point array \"Time\"");
-  if (error || std::isfinite(this->Report.Time))
-  {
-    return error;
-  }
-  std::ostringstream words;
-  words << "The time of the slice is " << this->Report.Time << "; it has to be finite.";
-  return words.str();
-}
-
 void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
-  vtkUnstructuredGrid* output, interlume::EmptyResult& empty)
+  vtkUnstructuredGrid* output, interlume::EmptyResult& empty,
+  interlume::SimplexTimeSliceReport& report)
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::SafeDownCast(dataset);
   if (dataset->GetNumberOfPoints() == 0)
   {
     return;
   }
-  this->Report.Simplices += dataset->GetNumberOfCells();
-  if (const interlume::Error error = input ? this->CheckTimes(input)
+  report.Simplices += dataset->GetNumberOfCells();
+  const double time = report.Time;
+  if (const interlume::Error error = input ? CheckTimes(input, time)
                                            : std::string("A dataset of the input is a ") +
         dataset->GetClassName() + "; 4-simplices are the cells of a vtkUnstructuredGrid.")
   {
@@ -192,7 +219,6 @@ void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
     empty.NoteMessage();
     return;
   }
-  const double time = this->Report.Time;
   const interlume::ExtractionValues values = interlume::ExtractionValues::ForContours({ time });
   const vtkSmartPointer<vtkDataArray> times =
     interlume::ExtractionDispatch::MakeContiguous(input->GetPointData()->GetArray(TimeName));
@@ -236,8 +262,8 @@ void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
   interlume::ExtractionArrays::CopyCellData(cellData, slice.CellIds.GetData(),
     static_cast<vtkIdType>(slice.CellIds.GetSize()), output->GetCellData());
   empty.Add(input, nullptr, output->GetNumberOfCells());
-  this->Report.Tetrahedra += output->GetNumberOfCells();
-  this->Report.NonFiniteSimplices += slice.NonFiniteCells;
+  report.Tetrahedra += output->GetNumberOfCells();
+  report.NonFiniteSimplices += slice.NonFiniteCells;
   const std::string skipped = nonFinite.Describe(input, true);
   if (!skipped.empty())
   {
@@ -246,7 +272,7 @@ void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
   SetRequestedTime(request, output);
 }
 
-std::string vtkSimplexTimeSlice::ExplainEmpty() const
+std::string vtkSimplexTimeSlice::ExplainEmpty(double time) const
 {
   std::ostringstream why;
   if (this->InputRange[0] > this->InputRange[1])
@@ -257,8 +283,8 @@ std::string vtkSimplexTimeSlice::ExplainEmpty() const
   }
   else
   {
-    why << "no 4-simplex has an extent in space at the time " << this->Report.Time
-        << "; their times go from " << this->InputRange[0] << " to " << this->InputRange[1] << ".";
+    why << "no 4-simplex has an extent in space at the time " << time << "; their times go from "
+        << this->InputRange[0] << " to " << this->InputRange[1] << ".";
   }
   return why.str();
 }
@@ -270,5 +296,5 @@ void vtkSimplexTimeSlice::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FollowTime: " << this->FollowTime << "\n";
   os << indent << "WarnOnEmptyOutput: " << this->WarnOnEmptyOutput << "\n";
   os << indent << "Report:\n";
-  this->Report.Print(os, indent.GetNextIndent());
+  this->Report->PrintSelf(os, indent.GetNextIndent());
 }

@@ -2,8 +2,9 @@
 #ifndef vtkSimplexTimeSlice_h
 #define vtkSimplexTimeSlice_h
 
-#include "InterlumeIntervalsModule.h"  // for the export macro
-#include "vtkSimplexTimeSliceReport.h" // for the report
+#include "InterlumeIntervalsModule.h" // for the export macro
+#include "vtkInterlumeReport.h"       // for GetReport()
+#include "vtkNew.h"                   // for the report
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <string> // for messages
@@ -14,6 +15,7 @@ namespace interlume
 {
 class EmptyResult;
 class Error;
+struct SimplexTimeSliceReport;
 }
 
 /**
@@ -99,8 +101,14 @@ public:
   vtkBooleanMacro(WarnOnEmptyOutput, bool);
   ///@}
 
-  /// What the last execution did.
-  const vtkSimplexTimeSliceReport& GetReport() const { return this->Report; }
+  /**
+   * Returns the report of the last execution, over all datasets of a composite input:
+   * - Time: the time of the slice
+   * - Simplices: cells of the input
+   * - Tetrahedra: cells of the output
+   * - NonFiniteSimplices: cells skipped because a time or a coordinate is NaN or infinite
+   */
+  vtkInterlumeReport* GetReport() { return this->Report; }
 
 protected:
   vtkSimplexTimeSlice();
@@ -118,11 +126,9 @@ protected:
   double GetTimeOfSlice(vtkInformation* output) const;
   /// Slices one dataset. \a request may have the time requested of the output; null for none.
   void Slice(vtkDataSet* dataset, vtkInformation* request, vtkUnstructuredGrid* output,
-    interlume::EmptyResult& empty);
-  /// Returns an error if the array of times or the time of the slice is invalid.
-  interlume::Error CheckTimes(vtkUnstructuredGrid* input) const;
-  /// Returns why there is no output.
-  std::string ExplainEmpty() const;
+    interlume::EmptyResult& empty, interlume::SimplexTimeSliceReport& report);
+  /// Returns why there is no output at a time.
+  std::string ExplainEmpty(double time) const;
 
 private:
   vtkSimplexTimeSlice(const vtkSimplexTimeSlice&) = delete;
@@ -133,7 +139,7 @@ private:
   bool WarnOnEmptyOutput = true;
   /// The first and last time of the input; the first is above the last where the input has none.
   double InputRange[2] = { 0.0, -1.0 };
-  vtkSimplexTimeSliceReport Report;
+  vtkNew<vtkInterlumeReport> Report;
 };
 
 #endif

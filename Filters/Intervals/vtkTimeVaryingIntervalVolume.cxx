@@ -28,6 +28,7 @@ constexpr int NumberOfPorts = 3;
 vtkTimeVaryingIntervalVolume::vtkTimeVaryingIntervalVolume()
 {
   this->SetNumberOfOutputPorts(NumberOfPorts);
+  interlume::TimeVaryingReport().CopyTo(this->Report);
 }
 
 vtkTimeVaryingIntervalVolume::~vtkTimeVaryingIntervalVolume() = default;
@@ -158,7 +159,6 @@ int vtkTimeVaryingIntervalVolume::RequestUpdateExtent(
 
 bool vtkTimeVaryingIntervalVolume::Begin(bool copiesSteps)
 {
-  this->Report = vtkTimeVaryingReport();
   const std::vector<double> times = this->GetTimesTaken();
   for (const interlume::Error& error : { this->CheckTimes(times), this->CheckDirection(),
          interlume::ExtractionInput::CheckIntervals(this->GetIntervals()) })
@@ -174,25 +174,27 @@ bool vtkTimeVaryingIntervalVolume::Begin(bool copiesSteps)
     this,
     [this](vtkDataSet* input, int& association)
     { return this->GetInputAbstractArrayToProcess(0, input, association); },
-    this->GetIntervals(), options, this->GetFirstStep(), times, this->Report);
+    this->GetIntervals(), options, this->GetFirstStep(), times);
   return true;
 }
 
 int vtkTimeVaryingIntervalVolume::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  this->TakeStep(request, inputs, outputs);
+  interlume::TimeVaryingReport report;
+  this->TakeStep(request, inputs, outputs, report);
   // However many steps a process takes, each comes to one end.
   const bool isEnd = !request->Has(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
   if (isEnd && this->GetReportBalance())
   {
-    interlume::ProcessBalance::Gather(this, this->Report);
+    interlume::ProcessBalance::Gather(this, report);
   }
+  report.CopyTo(this->Report);
   return 1;
 }
 
-void vtkTimeVaryingIntervalVolume::TakeStep(
-  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+void vtkTimeVaryingIntervalVolume::TakeStep(vtkInformation* request, vtkInformationVector** inputs,
+  vtkInformationVector* outputs, interlume::TimeVaryingReport& report)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
   vtkDataObject* made[NumberOfPorts];
@@ -203,7 +205,6 @@ void vtkTimeVaryingIntervalVolume::TakeStep(
   this->IsFilled = false;
   if (!this->Run && this->GetNumberOfIntervals() == 0)
   {
-    this->Report = vtkTimeVaryingReport();
     this->WarnOfEmptyOutput(interlume::EmptyResult().Explain(this, "no interval is set.", ""));
     return;
   }
@@ -223,6 +224,7 @@ void vtkTimeVaryingIntervalVolume::TakeStep(
   if (result == interlume::TimeVaryingRun::DONE && !this->Run->IsFinished() &&
     !this->GetAbortExecute())
   {
+    report = this->Run->GetReport();
     request->Set(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING(), 1);
     return;
   }
@@ -247,7 +249,8 @@ void vtkTimeVaryingIntervalVolume::TakeStep(
     }
   }
   this->SetProgressShiftScale(0.0, 1.0);
-  this->Report.Passes = this->Report.Slabs;
+  report = run->GetReport();
+  report.Passes = report.Slabs;
   for (const std::string& warning : run->GetWarnings())
   {
     vtkWarningMacro(<< warning);
@@ -260,7 +263,8 @@ void vtkTimeVaryingIntervalVolume::TakeStep(
 
 std::string vtkTimeVaryingIntervalVolume::ExplainEmpty(interlume::TimeVaryingRun& run)
 {
-  if (this->Report.Slabs == 0)
+  const interlume::TimeVaryingReport& report = run.GetReport();
+  if (report.Slabs == 0)
   {
     // Another warning says that there is no time between the steps.
     return std::string();
@@ -271,7 +275,6 @@ std::string vtkTimeVaryingIntervalVolume::ExplainEmpty(interlume::TimeVaryingRun
   const std::string why = run.GetEmptyResult().Explain(this,
     isAsked ? "" : "neither tetrahedra, nor boundaries, nor 4-simplices are asked for.",
     interlume::EmptyResult::Describe(this->GetIntervals()) + " at any time");
-  const vtkTimeVaryingReport& report = this->Report;
   if (why.empty() && this->GenerateTetrahedra && report.Simplices > 0 &&
     report.FlatSimplices == report.Simplices)
   {
@@ -298,5 +301,5 @@ void vtkTimeVaryingIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << "\n";
   os << indent << "Report:\n";
-  this->Report.Print(os, indent.GetNextIndent());
+  this->Report->PrintSelf(os, indent.GetNextIndent());
 }

@@ -3,8 +3,9 @@
 #define vtkTimeVaryingIntervalVolume_h
 
 #include "InterlumeIntervalsModule.h" // for the export macro
+#include "vtkInterlumeReport.h"       // for GetReport()
 #include "vtkIntervalAlgorithm.h"
-#include "vtkTimeVaryingReport.h"   // for the report
+#include "vtkNew.h"                 // for the report
 #include "vtkTimeVaryingSettings.h" // for what is set
 
 #include <memory> // for the state between time steps
@@ -15,6 +16,7 @@ namespace interlume
 {
 class Error;
 class TimeVaryingRun;
+struct TimeVaryingReport;
 }
 
 /**
@@ -186,9 +188,17 @@ public:
   ///@}
 
   /**
-   * Returns what the last execution did.
+   * Returns the report of the last execution, summed over the slabs:
+   * - TimeSteps, Slabs: time steps requested, and slabs between them that were not skipped
+   * - CellsWithOutput: cells that give at least one simplex
+   * - BlankedCells: cells skipped because they or a point are blanked, hidden or a ghost
+   * - NonFiniteCells: cells skipped because a value or a coordinate is NaN or infinite
+   * - UnsupportedCells: cells skipped because of their type
+   * - ConcavePolyhedra: polyhedra whose parts overlap
+   * - Simplices, FlatSimplices, InvertedSimplices: all 4-simplices, those without tetrahedra, and
+   *   those with inverted tetrahedra
    */
-  const vtkTimeVaryingReport& GetReport() const { return this->Report; }
+  vtkInterlumeReport* GetReport() { return this->Report; }
 
 protected:
   vtkTimeVaryingIntervalVolume();
@@ -197,8 +207,9 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  /// Takes one time step, asks for the next, or fills the outputs.
-  void TakeStep(vtkInformation*, vtkInformationVector**, vtkInformationVector*);
+  /// Takes one time step, requests the next, or fills the outputs. Sets the report so far.
+  void TakeStep(vtkInformation*, vtkInformationVector**, vtkInformationVector*,
+    interlume::TimeVaryingReport& report);
 
   /// Returns an error if times cannot be used.
   interlume::Error CheckTimes(const std::vector<double>& times) const;
@@ -218,7 +229,7 @@ private:
   vtkTimeVaryingIntervalVolume(const vtkTimeVaryingIntervalVolume&) = delete;
   void operator=(const vtkTimeVaryingIntervalVolume&) = delete;
 
-  vtkTimeVaryingReport Report;
+  vtkNew<vtkInterlumeReport> Report;
   /// The times of the input's steps.
   std::vector<double> TimeSteps;
   /// The state that is kept from one time step to the next; null between executions.

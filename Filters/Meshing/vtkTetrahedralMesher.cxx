@@ -37,8 +37,9 @@ namespace
 constexpr double LeastQualityBound = 1.0;
 constexpr double LargestQualityBound = 1000.0;
 
-void Measure(const interlume::MeshingJob& job, vtkTetrahedralMesherReport& report)
+void Measure(interlume::MeshingJob& job)
 {
+  interlume::TetrahedralMesherReport& report = job.Report;
   interlume::MeshMeasures measures;
   // Cells are not refined.
   measures.QualityBound = job.Mesh.Cells.empty() ? job.QualityBound : 0.0;
@@ -55,6 +56,7 @@ void Measure(const interlume::MeshingJob& job, vtkTetrahedralMesherReport& repor
 
 vtkTetrahedralMesher::vtkTetrahedralMesher()
 {
+  interlume::TetrahedralMesherReport().CopyTo(this->Report);
   this->AddObserver(vtkCommand::StartEvent, this, &vtkTetrahedralMesher::BeginExecution);
   this->AddObserver(vtkCommand::EndEvent, this, &vtkTetrahedralMesher::WarnIfEmpty);
 }
@@ -80,7 +82,7 @@ int vtkTetrahedralMesher::FillInputPortInformation(int, vtkInformation* info)
 int vtkTetrahedralMesher::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  this->Report = vtkTetrahedralMesherReport();
+  interlume::TetrahedralMesherReport().CopyTo(this->Report);
   vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs);
   if (!input || input->GetNumberOfPoints() == 0)
@@ -121,9 +123,9 @@ int vtkTetrahedralMesher::RequestData(
   {
     vtkErrorMacro(<< error);
   }
-  this->Report = job.Report;
+  job.Report.CopyTo(this->Report);
   this->IsEmpty = this->IsEmpty && !error && output->GetNumberOfCells() == 0;
-  this->Warn();
+  this->Warn(job);
   return 1;
 }
 
@@ -198,13 +200,13 @@ void vtkTetrahedralMesher::TakeOutput(interlume::MeshingJob& job, vtkUnstructure
   {
     job.Report.AddedPoints += origin.NumberOfSources != 1;
   }
-  Measure(job, job.Report);
+  Measure(job);
   output->ShallowCopy(grid);
 }
 
-void vtkTetrahedralMesher::Warn()
+void vtkTetrahedralMesher::Warn(const interlume::MeshingJob& job)
 {
-  const vtkTetrahedralMesherReport& report = this->Report;
+  const interlume::TetrahedralMesherReport& report = job.Report;
   if (report.UnsupportedCells > 0)
   {
     vtkWarningMacro(<< report.UnsupportedCells
@@ -244,9 +246,10 @@ void vtkTetrahedralMesher::WarnIfEmpty()
     asked->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1;
   if (this->WarnOnEmptyOutput && this->IsEmpty && !isPiece && !this->GetAbortExecute())
   {
-    const vtkIdType leftOut = this->Report.CellsLeftOut + this->Report.UnsupportedCells;
+    const double leftOut =
+      this->Report->GetNumber("SkippedCells") + this->Report->GetNumber("UnsupportedCells");
     vtkWarningMacro("The output is empty: "
-      << (leftOut > 0 ? "all " + std::to_string(leftOut) +
+      << (leftOut > 0 ? "all " + std::to_string(static_cast<vtkIdType>(leftOut)) +
                " cells that might be cut are ghosts, hidden or of a type that is not taken."
                       : "the input has no points, or cells without volume only."));
   }
@@ -265,5 +268,5 @@ void vtkTetrahedralMesher::PrintSelf(ostream& os, vtkIndent indent)
       { "TimeLimit", this->TimeLimit }, { "WorkerFileName", this->WorkerFileName },
       { "WarnOnEmptyOutput", this->WarnOnEmptyOutput } });
   os << indent << "Report:\n";
-  this->Report.Print(os, indent.GetNextIndent());
+  this->Report->PrintSelf(os, indent.GetNextIndent());
 }

@@ -2,9 +2,10 @@
 #ifndef vtkTetrahedralMesher_h
 #define vtkTetrahedralMesher_h
 
-#include "InterlumeMeshingModule.h"     // for the export macro
-#include "vtkMeshingSettings.h"         // for what is set
-#include "vtkTetrahedralMesherReport.h" // for the report
+#include "InterlumeMeshingModule.h" // for the export macro
+#include "vtkInterlumeReport.h"     // for GetReport()
+#include "vtkMeshingSettings.h"     // for what is set
+#include "vtkNew.h"                 // for the report
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <string> // for the worker's name
@@ -191,9 +192,17 @@ public:
   ///@}
 
   /**
-   * Returns what the last execution did.
+   * Returns the report of the last execution:
+   * - Tetrahedra, Regions: numbers of the output's cells and of its values of `RegionId`
+   * - AddedPoints: points of the output that the input does not have
+   * - SkippedCells: cells skipped because they are ghosts, hidden or of fewer dimensions
+   * - UnsupportedCells: cells skipped because of their type
+   * - MergedPoints: points of a surface or point set merged with one at the same position
+   * - SplitTriangles: triangles of a surface split by SplitContacts
+   * - TetrahedraAboveQualityBound, TetrahedraAboveMaximumVolume: tetrahedra that exceed a bound
+   * - LargestRadiusEdgeRatio: the largest ratio that QualityBound limits
    */
-  const vtkTetrahedralMesherReport& GetReport() const { return this->Report; }
+  vtkInterlumeReport* GetReport() { return this->Report; }
 
 protected:
   vtkTetrahedralMesher();
@@ -206,7 +215,7 @@ protected:
   interlume::Error Mesh(interlume::MeshingJob& job);
   /// Turns the mesh of \a job into \a output.
   void TakeOutput(interlume::MeshingJob& job, vtkUnstructuredGrid* output);
-  void Warn();
+  void Warn(const interlume::MeshingJob& job);
   ///@{
   /// Begins and ends an execution, over one dataset or over all: the pipeline sends a pair of
   /// events for each dataset of a composite input, within a pair for the whole.
@@ -219,7 +228,7 @@ private:
   void operator=(const vtkTetrahedralMesher&) = delete;
 
   bool WarnOnEmptyOutput = true;
-  vtkTetrahedralMesherReport Report;
+  vtkNew<vtkInterlumeReport> Report;
   /// Whether the execution has made no tetrahedron so far, and no error has said why.
   bool IsEmpty = true;
   int Depth = 0;

@@ -5,6 +5,7 @@
 #include "Common/Vectors.h"
 #include "Sampling/ClampedValue.h"
 #include "Sampling/FieldSampler.h"
+#include "Sampling/SourceReport.h"
 #include "Vortices/VortexTubes.h"
 
 #include "vtkDataObject.h"
@@ -114,7 +115,7 @@ int vtkAnalyticFieldSource::RequestData(
   vtkImageData* image = vtkImageData::GetData(info);
   const interlume::FieldSampler sampler = this->GetSampler();
   double time = 0.0;
-  this->SetReport({});
+  interlume::SourceReport().CopyTo(this->GetReport());
   if (const interlume::Error error = sampler.FindTime(info, time))
   {
     vtkErrorMacro(<< error);
@@ -136,7 +137,7 @@ int vtkAnalyticFieldSource::RequestData(
     image->Initialize();
     return 1;
   }
-  this->SetReport(vtkSourceReport::Of(image, image->GetNumberOfPoints(), time));
+  interlume::SourceReport::Of(image, image->GetNumberOfPoints(), time).CopyTo(this->GetReport());
   return 1;
 }
 

@@ -7,6 +7,7 @@
 #include "Common/Vectors.h"
 #include "Sampling/ClampedValue.h"
 #include "Sampling/ExtentRows.h"
+#include "Sampling/SourceReport.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -198,7 +199,7 @@ int vtkAnalyticFlowSource::RequestData(
 {
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkImageData* image = vtkImageData::GetData(info);
-  this->SetReport({});
+  interlume::SourceReport().CopyTo(this->GetReport());
   this->Place(image, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
   auto values = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(this->OutputScalarType));
   values->SetName("Velocity");
@@ -232,7 +233,7 @@ int vtkAnalyticFlowSource::RequestData(
   {
     image->GetPointData()->AddArray(ghosts);
   }
-  this->SetReport(vtkSourceReport::Of(image, image->GetNumberOfPoints()));
+  interlume::SourceReport::Of(image, image->GetNumberOfPoints()).CopyTo(this->GetReport());
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -2,6 +2,7 @@
 #include "vtkBoundedImageSource.h"
 
 #include "Common/NamedValue.h"
+#include "Sampling/SourceReport.h"
 
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
@@ -21,6 +22,7 @@ constexpr int MaximumIndex = 32767;
 vtkBoundedImageSource::vtkBoundedImageSource()
 {
   this->SetNumberOfInputPorts(0);
+  interlume::SourceReport().CopyTo(this->Report);
 }
 
 void vtkBoundedImageSource::SetWholeExtent(int x0, int x1, int y0, int y1, int z0, int z1)
@@ -119,5 +121,5 @@ void vtkBoundedImageSource::PrintSelf(ostream& os, vtkIndent indent)
   interlume::NamedValue::Print(
     os, indent, { { "WholeExtent", this->WholeExtent }, { "Bounds", this->Bounds } });
   os << indent << "Report:\n";
-  this->Report.Print(os, indent.GetNextIndent());
+  this->Report->PrintSelf(os, indent.GetNextIndent());
 }

@@ -4,7 +4,8 @@
 
 #include "InterlumeSourcesModule.h" // for the export macro
 #include "vtkImageAlgorithm.h"
-#include "vtkSourceReport.h" // for the report
+#include "vtkInterlumeReport.h" // for GetReport()
+#include "vtkNew.h"             // for the report
 
 /**
  * @class   vtkBoundedImageSource
@@ -47,8 +48,9 @@ public:
   vtkGetVector6Macro(Bounds, double);
   ///@}
 
-  /// Returns what the last execution took.
-  const vtkSourceReport& GetReport() const { return this->Report; }
+  /// Returns the report of the last execution: Points, Evaluations (positions where the field was
+  /// evaluated), Bytes (of the output) and Time. After an error or an abort all are 0.
+  vtkInterlumeReport* GetReport() { return this->Report; }
 
 protected:
   vtkBoundedImageSource();
@@ -66,15 +68,13 @@ protected:
   /// Gives an image the extent, and the lattice's origin and spacing.
   void Place(vtkImageData* image, const int extent[6]) const;
 
-  void SetReport(const vtkSourceReport& report) { this->Report = report; }
-
 private:
   vtkBoundedImageSource(const vtkBoundedImageSource&) = delete;
   void operator=(const vtkBoundedImageSource&) = delete;
 
   int WholeExtent[6] = { 0, 63, 0, 63, 0, 63 };
   double Bounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
-  vtkSourceReport Report;
+  vtkNew<vtkInterlumeReport> Report;
 };
 
 #endif

@@ -5,6 +5,7 @@
 #include "Common/Error.h"
 #include "Sampling/ExtentRows.h"
 #include "Sampling/PartPrinter.h"
+#include "Sampling/SourceReport.h"
 #include "Sampling/SpatialSampler.h"
 
 #include "vtkFloatArray.h"
@@ -247,7 +248,7 @@ int vtkConstructiveVolume::RequestData(
 {
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkImageData* image = vtkImageData::GetData(info);
-  this->SetReport({});
+  interlume::SourceReport().CopyTo(this->GetReport());
   if (const interlume::Error error =
         this->Root ? this->Root->Update() : "There is no root to sample.")
   {
@@ -280,7 +281,7 @@ int vtkConstructiveVolume::RequestData(
   const vtkIdType samples = image->GetNumberOfPoints();
   image->Crop(part);
   const int n = this->NumberOfSubsamples;
-  this->SetReport(vtkSourceReport::Of(image, samples * n * n * n));
+  interlume::SourceReport::Of(image, samples * n * n * n).CopyTo(this->GetReport());
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -3,6 +3,7 @@
 
 #include "Common/NamedValue.h"
 #include "Sampling/FieldSampler.h"
+#include "Sampling/SourceReport.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -26,6 +27,7 @@ vtkTemporalGridSource::vtkTemporalGridSource(const char* arrayName, int i, int j
   , ArrayName(arrayName)
 {
   this->SetNumberOfInputPorts(0);
+  interlume::SourceReport().CopyTo(this->Report);
 }
 
 void vtkTemporalGridSource::SetDimensions(int i, int j, int k)
@@ -83,7 +85,7 @@ int vtkTemporalGridSource::RequestData(
   vtkStructuredGrid* grid = vtkStructuredGrid::GetData(info);
   const interlume::FieldSampler sampler = this->GetSampler();
   double time = 0.0;
-  this->Report = {};
+  interlume::SourceReport().CopyTo(this->Report);
   if (const interlume::Error error = sampler.FindTime(info, time))
   {
     vtkErrorMacro(<< error);
@@ -105,7 +107,7 @@ int vtkTemporalGridSource::RequestData(
     grid->Initialize();
     return 1;
   }
-  this->Report = vtkSourceReport::Of(grid, grid->GetNumberOfPoints(), time);
+  interlume::SourceReport::Of(grid, grid->GetNumberOfPoints(), time).CopyTo(this->Report);
   return 1;
 }
 
@@ -115,5 +117,5 @@ void vtkTemporalGridSource::PrintSelf(ostream& os, vtkIndent indent)
   interlume::NamedValue::Print(os, indent, { { "Dimensions", this->Dimensions } });
   this->GetSampler().Print(os, indent);
   os << indent << "Report:\n";
-  this->Report.Print(os, indent.GetNextIndent());
+  this->Report->PrintSelf(os, indent.GetNextIndent());
 }

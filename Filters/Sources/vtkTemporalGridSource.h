@@ -3,7 +3,8 @@
 #define vtkTemporalGridSource_h
 
 #include "InterlumeSourcesModule.h" // for the export macro
-#include "vtkSourceReport.h"        // for the report
+#include "vtkInterlumeReport.h"     // for GetReport()
+#include "vtkNew.h"                 // for the report
 #include "vtkStructuredGridAlgorithm.h"
 
 #include <functional> // for fields
@@ -71,8 +72,9 @@ public:
   const char* GetArrayName() const { return this->ArrayName.c_str(); }
   ///@}
 
-  /// Returns what the last execution took.
-  const vtkSourceReport& GetReport() const { return this->Report; }
+  /// Returns the report of the last execution: Points, Evaluations (positions where the field was
+  /// evaluated), Bytes (of the output) and Time. After an error or an abort all are 0.
+  vtkInterlumeReport* GetReport() { return this->Report; }
 
 protected:
   vtkTemporalGridSource(const char* arrayName, int i, int j, int k);
@@ -101,7 +103,7 @@ private:
   int OutputScalarType = VTK_FLOAT;
   const char* DefaultArrayName;
   std::string ArrayName;
-  vtkSourceReport Report;
+  vtkNew<vtkInterlumeReport> Report;
 };
 
 #endif

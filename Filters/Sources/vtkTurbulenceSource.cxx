@@ -5,6 +5,7 @@
 #include "Common/NamedValue.h"
 #include "Sampling/ClampedValue.h"
 #include "Sampling/ExtentRows.h"
+#include "Sampling/SourceReport.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -125,7 +126,7 @@ int vtkTurbulenceSource::RequestData(
 {
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkImageData* image = vtkImageData::GetData(info);
-  this->SetReport({});
+  interlume::SourceReport().CopyTo(this->GetReport());
   this->Place(image, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
   vtkNew<vtkFloatArray> values;
   values->SetName("Turbulence");
@@ -139,7 +140,7 @@ int vtkTurbulenceSource::RequestData(
     return 1;
   }
   image->GetPointData()->SetScalars(values);
-  this->SetReport(vtkSourceReport::Of(image, image->GetNumberOfPoints()));
+  interlume::SourceReport::Of(image, image->GetNumberOfPoints()).CopyTo(this->GetReport());
   this->UpdateProgress(1.0);
   return 1;
 }

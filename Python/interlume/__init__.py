@@ -7,13 +7,14 @@ The classes stand in modules that are named as the libraries, and all of them he
     from interlume.InterlumeIntervals import vtkIntervalVolume
 
 Constants of a class stand in it, or in its settings, as vtkShadowedSliceSettings.BILINEAR_LIGHT for
-vtkShadowedSliceMapper. A report's numbers come by report(algorithm), as a dictionary.
+vtkShadowedSliceMapper. report(algorithm) returns the values of GetReport() as a dictionary.
 
 They work with the vtkmodules of the VTK that the libraries were built with, and with no other.
 """
 
 from importlib.util import find_spec
 
+from .InterlumeCommon import *
 from .InterlumeIsotables import *
 from .InterlumeIntervals import *
 from .InterlumeFlow import *

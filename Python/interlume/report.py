@@ -3,38 +3,18 @@
 
 
 def report(algorithm):
-    """Returns the numbers and words of the algorithm's GetReport() by their names.
+    """Returns the values of the algorithm's GetReport() by their names.
 
-    They are fields of a C++ structure, which wrapping leaves out, and are read from what the
-    algorithm prints. Several values are a tuple; none is an empty text.
+    A value is a number or a text, or a tuple of them if it does not have exactly one entry.
     """
-    values = {}
-    depth = None
-    for line in str(algorithm).splitlines():
-        indent = len(line) - len(line.lstrip())
-        name, _, text = line.strip().partition(":")
-        if depth is not None and indent <= depth:
-            break
-        if depth is not None:
-            values[name] = _read(text.split())
-        elif name == "Report":
-            depth = indent
-    if depth is None:
-        raise TypeError(f"{algorithm.GetClassName()} has no report")
-    return values
+    try:
+        values = algorithm.GetReport()
+    except AttributeError:
+        raise TypeError(f"{algorithm.GetClassName()} has no report") from None
+    arrays = [values.GetAbstractArray(i) for i in range(values.GetNumberOfArrays())]
+    return {array.GetName(): _read(array) for array in arrays}
 
 
-def _read(words):
-    numbers = [_read_number(word) for word in words]
-    if not words or None in numbers:
-        return " ".join(words)
-    return tuple(numbers) if len(numbers) != 1 else numbers[0]
-
-
-def _read_number(word):
-    for kind in (int, float):
-        try:
-            return kind(word)
-        except ValueError:
-            pass
-    return None
+def _read(array):
+    entries = tuple(array.GetValue(i) for i in range(array.GetNumberOfValues()))
+    return entries[0] if len(entries) == 1 else entries

@@ -18,6 +18,7 @@ vtkImplicitFlowVolumeMapper::vtkImplicitFlowVolumeMapper()
   : Peels(std::make_unique<interlume::PeelingDeferral>())
   , Renderer(std::make_unique<interlume::FlowVolumeRenderer>())
 {
+  interlume::FlowVolumeRenderReport().CopyTo(this->Report);
 }
 
 vtkImplicitFlowVolumeMapper::~vtkImplicitFlowVolumeMapper() = default;
@@ -132,7 +133,8 @@ vtkMTimeType vtkImplicitFlowVolumeMapper::GetMTime()
   return time;
 }
 
-interlume::Error vtkImplicitFlowVolumeMapper::Draw(vtkRenderer* renderer, vtkVolume* volume)
+interlume::Error vtkImplicitFlowVolumeMapper::Draw(
+  vtkRenderer* renderer, vtkVolume* volume, interlume::FlowVolumeRenderReport& report)
 {
   vtkDataSet* input = this->GetInput();
   if (this->BlendMode != COMPOSITE_BLEND)
@@ -145,7 +147,7 @@ interlume::Error vtkImplicitFlowVolumeMapper::Draw(vtkRenderer* renderer, vtkVol
     return std::string("the input is a ") + input->GetClassName() +
       "; vtkImageData is needed, as vtkImplicitFlowField gives with SAMPLES_OF_IMAGE";
   }
-  return this->Renderer->Render(renderer, volume, *this, image, this->RenderReport);
+  return this->Renderer->Render(renderer, volume, *this, image, report);
 }
 
 void vtkImplicitFlowVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
@@ -160,7 +162,8 @@ void vtkImplicitFlowVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volum
                        "translucent polygons, as without it");
   }
   vtkDataSet* input = this->GetInput();
-  this->RenderReport = vtkImplicitFlowVolumeReport();
+  interlume::FlowVolumeRenderReport report;
+  report.CopyTo(this->Report);
   int size[2];
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
@@ -168,8 +171,9 @@ void vtkImplicitFlowVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volum
   {
     return;
   }
-  const interlume::Error error = this->Draw(renderer, volume);
-  this->TimeToDraw = this->RenderReport.Seconds;
+  const interlume::Error error = this->Draw(renderer, volume, report);
+  report.CopyTo(this->Report);
+  this->TimeToDraw = report.Seconds;
   const vtkMTimeType state = std::max(input->GetMTime(), this->GetMTime());
   if (error && (state != this->ErrorTime || error.GetMessage() != this->ErrorText))
   {
@@ -177,9 +181,9 @@ void vtkImplicitFlowVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volum
     this->ErrorTime = state;
     this->ErrorText = error.GetMessage();
   }
-  if (!error && this->RenderReport.NonFiniteSamples > 0 && input->GetMTime() != this->WarningTime)
+  if (!error && report.NonFiniteSamples > 0 && input->GetMTime() != this->WarningTime)
   {
-    vtkWarningMacro(<< this->RenderReport.NonFiniteSamples
+    vtkWarningMacro(<< report.NonFiniteSamples
                     << " samples have places, times or values that are not finite");
     this->WarningTime = input->GetMTime();
   }
@@ -220,5 +224,5 @@ void vtkImplicitFlowVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
   os << indent << "MaximumTextureMemory: " << this->MaximumTextureMemory << "\n";
   os << indent << "Report:\n";
-  this->RenderReport.Print(os, indent.GetNextIndent());
+  this->Report->PrintSelf(os, indent.GetNextIndent());
 }

@@ -2,10 +2,11 @@
 #ifndef vtkImplicitFlowVolumeMapper_h
 #define vtkImplicitFlowVolumeMapper_h
 
-#include "InterlumeFlowTextureModule.h"  // for the export macro
-#include "vtkImageData.h"                // for textures
-#include "vtkImplicitFlowVolumeReport.h" // for the report
-#include "vtkPiecewiseFunction.h"        // for the gate
+#include "InterlumeFlowTextureModule.h" // for the export macro
+#include "vtkImageData.h"               // for textures
+#include "vtkInterlumeReport.h"         // for GetReport()
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h" // for the gate
 #include "vtkSmartPointer.h"
 #include "vtkVolumeMapper.h"
 
@@ -18,6 +19,7 @@ namespace interlume
 class Error;
 class PeelingDeferral;
 class FlowVolumeRenderer;
+struct FlowVolumeRenderReport;
 }
 
 /**
@@ -97,7 +99,7 @@ class FlowVolumeRenderer;
  * or with too many dimensions, no texture units or texture memory left, textures over the graphics
  * card's limits, a blend mode that is not supported; with shadows those of vtkShadowedSliceMapper.
  *
- * @sa vtkShadowedSliceMapper vtkImplicitFlowVolumeReport
+ * @sa vtkShadowedSliceMapper
  */
 class INTERLUMEFLOWTEXTURE_EXPORT vtkImplicitFlowVolumeMapper : public vtkVolumeMapper
 {
@@ -293,8 +295,19 @@ public:
   vtkGetMacro(MaximumTextureMemory, vtkIdType);
   ///@}
 
-  /// Returns what the last picture took.
-  const vtkImplicitFlowVolumeReport& GetReport() const { return this->RenderReport; }
+  /**
+   * Returns the report of the last image:
+   * - `Surfaces`, `SurfacesWithoutTexture`: surfaces that samples reached, and those of them drawn
+   *   in DefaultColor;
+   * - `NonFiniteSamples`: samples with a coordinate, time or value that is not finite;
+   * - `EmptyCells`: cells with no corner that reached a surface;
+   * - `SampleDistance`: the distance of samples along a line of sight in world units;
+   * - `TextureBytes`: the bytes of textures, limited by MaximumTextureMemory;
+   * - `ShadowedLights`, `Slices`, `LightBufferBytes`: with shadows, the numbers of lights that cast
+   *   them and of slices, and the bytes of light buffers;
+   * - `Seconds`: seconds of this image.
+   */
+  vtkInterlumeReport* GetReport() { return this->Report; }
 
   /**
    * WARNING: for the renderer only.
@@ -315,7 +328,8 @@ private:
   vtkImplicitFlowVolumeMapper(const vtkImplicitFlowVolumeMapper&) = delete;
   void operator=(const vtkImplicitFlowVolumeMapper&) = delete;
 
-  interlume::Error Draw(vtkRenderer* renderer, vtkVolume* volume);
+  interlume::Error Draw(
+    vtkRenderer* renderer, vtkVolume* volume, interlume::FlowVolumeRenderReport& report);
   void SetName(std::string& member, const char* name);
 
   std::map<int, vtkSmartPointer<vtkImageData>> InflowTextures;
@@ -337,7 +351,7 @@ private:
   double SampleDistance = 0.0;
   double ImageSampleDistance = 1.0;
   vtkIdType MaximumTextureMemory = 0;
-  vtkImplicitFlowVolumeReport RenderReport;
+  vtkNew<vtkInterlumeReport> Report;
   std::string ErrorText;
   vtkMTimeType ErrorTime = 0;
   vtkMTimeType WarningTime = 0;

@@ -62,6 +62,7 @@ vtkShadowedScenePass::vtkShadowedScenePass()
   : Renderer(std::make_unique<interlume::SceneRenderer>())
   , Together(std::make_shared<interlume::SliceRenderer>())
 {
+  interlume::SceneReport().CopyTo(this->Report);
 }
 
 vtkShadowedScenePass::~vtkShadowedScenePass()
@@ -110,9 +111,9 @@ void vtkShadowedScenePass::Render(const vtkRenderState* state)
   vtkRenderer* renderer = state->GetRenderer();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   this->NumberOfRenderedProps = 0;
-  this->Report = vtkShadowedSceneReport();
   if (!window || !this->Shadows || renderer->GetSelector())
   {
+    interlume::SceneReport().CopyTo(this->Report);
     this->DrawAll(state);
     return;
   }
@@ -125,8 +126,9 @@ void vtkShadowedScenePass::Render(const vtkRenderState* state)
     this->DepthMapResolution, this->DepthBias, this->NumberOfLightSamples,
     this->MaximumNumberOfLayers, GetCastsShadows, GetReceivesShadows };
   this->FindVolumes(renderer);
-  if (!scene.Begin(renderer, request, static_cast<int>(this->Volumes.size()), this->Report))
+  if (!scene.Begin(renderer, request, static_cast<int>(this->Volumes.size())))
   {
+    scene.GetReport().CopyTo(this->Report);
     scene.ReleaseGraphicsResources(window);
     this->Together->ReleaseGraphicsResources(window);
     this->DrawAll(state);
@@ -140,13 +142,14 @@ void vtkShadowedScenePass::Render(const vtkRenderState* state)
   {
     vtkErrorMacro(<< "The scene is drawn without shadows: " << error);
   }
-  scene.MakeShader(renderer, !error, this->Report);
+  scene.MakeShader(renderer, !error);
+  scene.GetReport().CopyTo(this->Report);
   scene.Activate();
   this->DrawAll(state);
   scene.End(renderer);
   for (interlume::VolumeImage* image : this->Images)
   {
-    image->EndScene();
+    image->End();
   }
   this->PostRender(&surfaces);
   this->WarnOfUnreached();
@@ -172,7 +175,7 @@ void vtkShadowedScenePass::FindVolumes(vtkRenderer* renderer)
 interlume::Error vtkShadowedScenePass::DrawShadows(vtkRenderer* renderer)
 {
   interlume::SceneRenderer& scene = *this->Renderer;
-  interlume::Error error = scene.DrawMaps(renderer, this->Report);
+  interlume::Error error = scene.DrawMaps(renderer);
   if (error || !scene.HasVolumes())
   {
     return error;
@@ -183,15 +186,14 @@ interlume::Error vtkShadowedScenePass::DrawShadows(vtkRenderer* renderer)
     auto* mapper = vtkShadowedSliceMapper::SafeDownCast(volume->GetMapper());
     channels = mapper->GetTransmissionColor() ? 3 : channels;
   }
-  error = scene.DrawEyeDepth(renderer, channels, this->Report);
+  error = scene.DrawEyeDepth(renderer, channels);
   if (error)
   {
     return error;
   }
-  this->Report.Volumes = static_cast<int>(this->Volumes.size());
+  scene.GetReport().Volumes = static_cast<int>(this->Volumes.size());
   return scene.DrawSegments(
-    renderer, [&]() { this->DrawVolumes(renderer); }, [&]() { this->ShowVolumes(renderer); },
-    this->Report);
+    renderer, [&]() { this->DrawVolumes(renderer); }, [&]() { this->ShowVolumes(renderer); });
 }
 
 interlume::Error vtkShadowedScenePass::DrawTogether(vtkRenderer* renderer)
@@ -214,15 +216,16 @@ interlume::Error vtkShadowedScenePass::DrawTogether(vtkRenderer* renderer)
 void vtkShadowedScenePass::DrawVolumes(vtkRenderer* renderer)
 {
   interlume::SliceScene& scene = this->Renderer->GetScene();
+  interlume::SceneReport& report = this->Renderer->GetReport();
   scene.Fields.clear();
-  this->Report.VolumesApart = this->DrawTogether(renderer).GetMessage();
+  report.SeparateVolumesReason = this->DrawTogether(renderer).GetMessage();
   const auto together = std::count_if(this->Images.begin(), this->Images.end(),
     [](const interlume::VolumeImage* image) { return image->IsTogether(); });
   if (together == 0)
   {
     this->Together->ReleaseGraphicsResources(renderer->GetRenderWindow());
   }
-  this->Report.VolumesTogether = together > 1 ? static_cast<int>(together) : 0;
+  report.VolumesInSharedSlices = together > 1 ? static_cast<int>(together) : 0;
   for (std::size_t i = 0; i < this->Images.size(); ++i)
   {
     if (!this->Images[i]->IsTogether())
@@ -307,5 +310,5 @@ void vtkShadowedScenePass::PrintSelf(ostream& os, vtkIndent indent)
       { "NumberOfLightSamples", this->NumberOfLightSamples },
       { "MaximumNumberOfLayers", this->MaximumNumberOfLayers } });
   os << indent << "Report:\n";
-  this->Report.Print(os, indent.GetNextIndent());
+  this->Report->PrintSelf(os, indent.GetNextIndent());
 }

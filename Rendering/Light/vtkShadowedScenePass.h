@@ -3,8 +3,9 @@
 #define vtkShadowedScenePass_h
 
 #include "InterlumeLightModule.h" // for the export macro
+#include "vtkInterlumeReport.h"   // for GetReport()
+#include "vtkNew.h"               // for the report
 #include "vtkOpenGLRenderPass.h"
-#include "vtkShadowedSceneReport.h" // for the report
 
 #include <memory> // for what is kept from picture to picture
 #include <string> // for shaders
@@ -78,9 +79,9 @@ class VolumeImage;
  * features. Volumes are drawn one by one, one over the other in the renderer's order, and cast
  * shadows on surfaces alone, where all together would take more than eight times the slices that
  * they have by themselves, beyond MaximumTextureMemory, or where one mapper has several volumes;
- * the report says which (VolumesApart). So is a volume whose Shadows is off. One with an error is
- * left out. Volumes of other mappers, also of vtkImplicitFlowVolumeMapper, neither cast shadows on
- * surfaces nor receive theirs.
+ * the report gives the reason (SeparateVolumesReason). So is a volume whose Shadows is off. One
+ * with an error is left out. Volumes of other mappers, also of vtkImplicitFlowVolumeMapper, neither
+ * cast shadows on surfaces nor receive theirs.
  *
  * **Lights** are those of vtkShadowedSliceMapper: switched on and with a ShadowAttenuation above 0.
  * Actors cast no shadows of headlights, since the eye would not see them. A positional light
@@ -173,7 +174,7 @@ class VolumeImage;
  * Errors (vtkErrorMacro; drawn without shadows then): OpenGL older than 3.2; depth maps that do not
  * fit into the graphics card's memory.
  *
- * @sa vtkShadowedSliceMapper vtkShadowedSceneReport vtkShadowMapPass
+ * @sa vtkShadowedSliceMapper vtkShadowMapPass
  */
 class INTERLUMELIGHT_EXPORT vtkShadowedScenePass : public vtkOpenGLRenderPass
 {
@@ -268,9 +269,17 @@ public:
   ///@}
 
   /**
-   * Returns what the last picture took.
+   * Returns the report of the last image:
+   * - ShadowCasters: opaque actors that cast shadows; Lights: lights that cast shadows of them
+   * - Volumes: volumes of the scene
+   * - VolumesInSharedSlices: volumes that cast shadows on each other
+   * - SeparateVolumesReason: the error if volumes are rendered one by one, otherwise empty
+   * - DepthMapResolution, SampleMapResolution: columns and rows of each depth map, of lights
+   *   without extent and of samples of area lights
+   * - DepthMapBytes, SampleMapBytes: bytes of these maps
+   * - CameraLayers: layers of translucent actors between which volumes are rendered
    */
-  const vtkShadowedSceneReport& GetReport() const { return this->Report; }
+  vtkInterlumeReport* GetReport() { return this->Report; }
 
   /**
    * WARNING: the following are for VTK only.
@@ -311,7 +320,7 @@ private:
   double DepthBias = 1.0;
   int NumberOfLightSamples = 16;
   int MaximumNumberOfLayers = 16;
-  vtkShadowedSceneReport Report;
+  vtkNew<vtkInterlumeReport> Report;
   std::unique_ptr<interlume::SceneRenderer> Renderer;
   /// The renderer of volumes in shared slices.
   std::shared_ptr<interlume::SliceRenderer> Together;

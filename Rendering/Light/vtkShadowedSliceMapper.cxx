@@ -38,6 +38,7 @@ vtkShadowedSliceMapper::vtkShadowedSliceMapper()
   : Peels(std::make_unique<interlume::PeelingDeferral>())
   , Image(std::make_unique<interlume::VolumeImage>())
 {
+  interlume::SliceReport().CopyTo(this->Report);
 }
 
 vtkShadowedSliceMapper::~vtkShadowedSliceMapper() = default;
@@ -130,11 +131,12 @@ void vtkShadowedSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   if (!this->Image->IsInScene())
   {
     this->UpdateImage(renderer, volume).Draw(renderer, nullptr);
+    this->Image->End();
   }
   if (this->Image->HasContents())
   {
     this->Image->Show(renderer);
-    this->TimeToDraw = this->RenderReport.Seconds;
+    this->TimeToDraw = this->Image->GetReport().Seconds;
     this->ReportErrors();
   }
 }
@@ -152,7 +154,7 @@ interlume::VolumeImage& vtkShadowedSliceMapper::UpdateImage(
   request.Cuts.IsCropped = this->Cropping != 0;
   std::copy_n(this->CroppingRegionPlanes, 6, request.Cuts.CroppingPlanes.begin());
   request.Cuts.CroppingFlags = this->CroppingRegionFlags;
-  request.Report = &this->RenderReport;
+  request.Report = this->Report;
   int width = 0;
   int height = 0;
   int left = 0;
@@ -193,12 +195,11 @@ void vtkShadowedSliceMapper::ReportErrors()
     this->ErrorTime = state;
     this->ErrorText = text;
   }
-  if (!result.Error && this->RenderReport.NonFiniteVoxels > 0 &&
-    request.Scalars->GetMTime() != this->WarningTime)
+  const vtkIdType nonFinite = this->Image->GetReport().NonFiniteVoxels;
+  if (!result.Error && nonFinite > 0 && request.Scalars->GetMTime() != this->WarningTime)
   {
     const char* name = request.Scalars->GetName();
-    vtkWarningMacro(<< "the array " << (name ? name : "without a name") << " has "
-                    << this->RenderReport.NonFiniteVoxels
+    vtkWarningMacro(<< "the array " << (name ? name : "without a name") << " has " << nonFinite
                     << " voxels with NaN or infinity, which are transparent");
     this->WarningTime = request.Scalars->GetMTime();
   }
@@ -241,5 +242,5 @@ void vtkShadowedSliceMapper::PrintSelf(ostream& os, vtkIndent indent)
       { "ScatteringGridSize", this->ScatteringGridSize },
       { "MaximumTextureMemory", this->MaximumTextureMemory } });
   os << indent << "Report:\n";
-  this->RenderReport.Print(os, indent.GetNextIndent());
+  this->Report->PrintSelf(os, indent.GetNextIndent());
 }

@@ -3,7 +3,8 @@
 #define vtkShadowedSliceMapper_h
 
 #include "InterlumeLightModule.h"     // for the export macro
-#include "vtkShadowedSliceReport.h"   // for the report
+#include "vtkInterlumeReport.h"       // for GetReport()
+#include "vtkNew.h"                   // for the report
 #include "vtkShadowedSliceSettings.h" // for what is set
 #include "vtkVolumeMapper.h"
 
@@ -119,10 +120,11 @@ class VolumeImage;
  * Colours and directions of shading are those of the emitter's centre but in the last; an emitter's
  * image is grey to its shadows then, and its mean colour is the light's. A light inside the volume,
  * or so close or large that slices are seen edge-on from some of it, shines from its centre with
- * hard shadows but by SAMPLED_LIGHTS; the report counts these (HardLightsInstead). A light for each
- * sample inside the volume takes some forty times the picture without shadows, and software OpenGL
- * minutes to compile at first. All else (both sweeps, several lights, TransmissionColor, cropping,
- * clipping) is as for other lights. A vtkAreaLight of size 0 takes what a vtkLight takes.
+ * hard shadows but by SAMPLED_LIGHTS; the report counts these (AreaLightsWithHardShadows). A light
+ * for each sample inside the volume takes some forty times the picture without shadows, and
+ * software OpenGL minutes to compile at first. All else (both sweeps, several lights,
+ * TransmissionColor, cropping, clipping) is as for other lights. A vtkAreaLight of size 0 takes
+ * what a vtkLight takes.
  *
  * **Scattering** (dissertation, 2.6), where MultipleScattering is on, takes the place of the colour
  * above: matter of albedo c, the share of light that goes on where it meets matter, sends
@@ -147,13 +149,12 @@ class VolumeImage;
  * D does not depend on the eye. It is found by threads on the CPU in the cells of a grid
  * (ScatteringGridSize) around the blocks that can be seen, which have the mean extinction and
  * albedo of their matter, and is kept until volume, functions, clipping, cropping or lights have
- * changed; the report counts this (ScatteringSolves). The slices look it up between the cells'
- * middles. Volumes that a vtkShadowedScenePass draws together have one grid around all of them, so
- * that light goes from one to another and D has the shadows of all, each finds D by its own mode
- * and phase function in all their matter, and those that do not scatter on take light; the grid's
- * cells are as small as the smallest that one of them has by itself, but for the largest number, 64
- * or what one of them asks for. Volumes that are drawn by themselves know nothing of each other.
- * Surfaces of a vtkShadowedScenePass cast their
+ * changed. The slices look it up between the cells' middles. Volumes that a vtkShadowedScenePass
+ * draws together have one grid around all of them, so that light goes from one to another and D has
+ * the shadows of all, each finds D by its own mode and phase function in all their matter, and
+ * those that do not scatter on take light; the grid's cells are as small as the smallest that one
+ * of them has by itself, but for the largest number, 64 or what one of them asks for. Volumes that
+ * are drawn by themselves know nothing of each other. Surfaces of a vtkShadowedScenePass cast their
  * shadows in D, and opaque ones that do stop light that was scattered: the cells that their
  * triangles go through take it, a layer of cells for a thin sheet, and send none on; so do the
  * copies that a vtkGlyph3DMapper draws. Surfaces that receive shadows are lit by D as well, by its
@@ -196,8 +197,7 @@ class VolumeImage;
  * card's three-dimensional textures, textures that do not fit into its memory or beyond
  * MaximumTextureMemory, a projective light whose image has no samples (the others still shine).
  *
- * @sa vtkAreaLight vtkProjectiveLight vtkShadowedScenePass vtkShadowedSliceReport
- * vtkShadowedSliceSettings
+ * @sa vtkAreaLight vtkProjectiveLight vtkShadowedScenePass vtkShadowedSliceSettings
  */
 class INTERLUMELIGHT_EXPORT vtkShadowedSliceMapper
   : public vtkVolumeMapper
@@ -482,9 +482,18 @@ public:
   void SetMatter(vtkSliceMatter* matter);
 
   /**
-   * Returns what the last picture took.
+   * Returns the report of the last image:
+   * - ShadowedLights: lights that cast shadows in the volume
+   * - AreaLightsWithHardShadows: area lights too close or too large for soft shadows
+   * - Slices: slices of all sweeps; SliceSpacing: their distance in world units
+   * - LightBufferSize: columns and rows of the largest light buffer
+   * - ImageSampleDistance: viewport pixels per pixel of the image, along an edge
+   * - NonFiniteVoxels: voxels with NaN or infinity, which are transparent
+   * - TextureBytes: bytes of the textures of the volume and its functions
+   * - ScatteringSeconds: time of the last computation of multiply scattered light
+   * - Seconds: time of the image
    */
-  const vtkShadowedSliceReport& GetReport() const { return this->RenderReport; }
+  vtkInterlumeReport* GetReport() { return this->Report; }
 
   /**
    * Reads the transmittance of the whole volume along each ray of a light, as its buffer holds it
@@ -522,7 +531,7 @@ private:
   interlume::Error FindScalars(vtkImageData* image, vtkDataArray*& scalars, bool& isOfCells);
   void ReportErrors();
 
-  vtkShadowedSliceReport RenderReport;
+  vtkNew<vtkInterlumeReport> Report;
   vtkMTimeType ErrorTime = 0;
   std::string ErrorText;
   vtkMTimeType WarningTime = 0;

@@ -50,6 +50,7 @@ vtkTimeWeightedTetrahedraMapper::vtkTimeWeightedTetrahedraMapper()
   this->BlendMode = AUTOMATIC_BLEND;
   this->BoundaryProperty = vtkSmartPointer<vtkProperty>::New();
   this->BoundaryProperty->SetOpacity(0.5);
+  interlume::TetrahedraReport().CopyTo(this->Report);
 }
 
 vtkTimeWeightedTetrahedraMapper::~vtkTimeWeightedTetrahedraMapper() = default;
@@ -326,7 +327,8 @@ void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* v
   int left = 0;
   int bottom = 0;
   renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
-  this->Report = vtkTetrahedraReport();
+  interlume::TetrahedraReport report;
+  report.CopyTo(this->Report);
   const bool hasGrid = grid && grid->GetNumberOfCells() > 0;
   interlume::TetrahedraRenderer::Request request;
   request.Mapper = this;
@@ -342,11 +344,11 @@ void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* v
   // A piece that cannot be drawn must not keep those of the other processes waiting.
   if (request.Grid || request.Pieces)
   {
-    const interlume::Error drawing =
-      this->Renderer->Render(renderer, volume, request, this->Report);
+    const interlume::Error drawing = this->Renderer->Render(renderer, volume, request, report);
     error = error ? error : drawing;
   }
-  this->TimeToDraw = this->Report.Seconds;
+  report.CopyTo(this->Report);
+  this->TimeToDraw = report.Seconds;
   // An error is given once for one state of the input and of the mapper, not for every picture.
   const vtkMTimeType state = std::max(grid ? grid->GetMTime() : 0, this->GetMTime());
   if (error && state != this->ErrorTime)
@@ -384,5 +386,5 @@ void vtkTimeWeightedTetrahedraMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AutoAdjustLevelOfDetail: " << this->AutoAdjustLevelOfDetail << "\n";
   os << indent << "Processes: " << (this->Pieces ? this->Pieces->GetNumberOfRanks() : 1) << "\n";
   os << indent << "Report:\n";
-  this->Report.Print(os, indent.GetNextIndent());
+  this->Report->PrintSelf(os, indent.GetNextIndent());
 }

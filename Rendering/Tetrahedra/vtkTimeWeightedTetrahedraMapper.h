@@ -3,8 +3,9 @@
 #define vtkTimeWeightedTetrahedraMapper_h
 
 #include "InterlumeTetrahedraModule.h" // for the export macro
-#include "vtkSmartPointer.h"           // for the boundary's looks
-#include "vtkTetrahedraReport.h"       // for the report
+#include "vtkInterlumeReport.h"        // for GetReport()
+#include "vtkNew.h"
+#include "vtkSmartPointer.h" // for the boundary's looks
 #include "vtkUnstructuredGridVolumeMapper.h"
 
 #include <map>    // for the priorities
@@ -308,9 +309,17 @@ public:
   double* GetBounds() VTK_SIZEHINT(6) override;
 
   /**
-   * Returns what the last picture took.
+   * Returns the report of the last image:
+   * - `Tetrahedra`, `TetrahedraDrawn`: tetrahedra of the input and drawn ones;
+   * - `NonFiniteTetrahedra`: tetrahedra skipped because of NaN or infinity at a corner;
+   * - `FlatTetrahedra`: tetrahedra skipped because they have no volume;
+   * - `UnmatchedTriangles`: boundary triangles skipped because they are no face of a tetrahedron;
+   * - `RenderPath`, `PathReason`: the chosen path of RenderPaths, and why;
+   * - `SortReason`: why tetrahedra were sorted as they were, or not at all;
+   * - `PixelStride`: the level of detail, 1 for a full image;
+   * - `Seconds`: seconds of this image.
    */
-  const vtkTetrahedraReport& GetReport() const { return this->Report; }
+  vtkInterlumeReport* GetReport() { return this->Report; }
 
   vtkMTimeType GetMTime() override;
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
@@ -344,7 +353,7 @@ private:
   vtkSmartPointer<vtkProperty> BoundaryProperty;
   vtkSmartPointer<vtkTexture> BoundaryTexture;
   bool AutoAdjustLevelOfDetail = true;
-  vtkTetrahedraReport Report;
+  vtkNew<vtkInterlumeReport> Report;
   /// The other pieces of the volume; null where the input is drawn alone.
   std::unique_ptr<interlume::PieceExchange> Pieces;
   std::unique_ptr<interlume::PeelingDeferral> Peels;

@@ -138,11 +138,11 @@ public:
 private:
   void Count()
   {
-    const vtkImplicitFlowVolumeReport& report = this->Painter.GetMapper()->GetReport();
-    this->Sum.Grid += report.GridUploads;
-    this->Sum.Inflow += report.InflowUploads;
-    this->Sum.Others +=
-      report.DetailUploads + report.GateUploads + report.TransferUploads + report.ArrayUploads;
+    vtkInterlumeReport* report = this->Painter.GetMapper()->GetReport();
+    this->Sum.Grid += report->GetNumber("GridUploads");
+    this->Sum.Inflow += report->GetNumber("InflowUploads");
+    this->Sum.Others += report->GetNumber("DetailUploads") + report->GetNumber("GateUploads") +
+      report->GetNumber("TransferUploads") + report->GetNumber("ArrayUploads");
     ++this->Sum.Pictures;
   }
 

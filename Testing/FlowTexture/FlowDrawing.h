@@ -63,7 +63,7 @@ struct FlowShow
   FlowShow();
   virtual ~FlowShow() = default;
 
-  const vtkImplicitFlowVolumeReport& Draw();
+  vtkInterlumeReport* Draw();
 
   /// Sets gate, arrays, shading, cuts, filter and projection by the last eight of numbers from 0 to
   /// 1, for any state before.
@@ -80,7 +80,7 @@ struct FlowShow
 /// Checks that the picture after many random states is that of a new mapper. \a see is called with
 /// the report of each.
 void CheckRandomStates(const std::function<std::unique_ptr<FlowShow>()>& make,
-  const std::function<void(const vtkImplicitFlowVolumeReport&)>& see, Check& check);
+  const std::function<void(vtkInterlumeReport*)>& see, Check& check);
 
 }
 

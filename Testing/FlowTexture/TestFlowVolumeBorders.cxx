@@ -103,7 +103,8 @@ void TestSurfaces(Check& check)
   check.That(mixed < 1e-6, "no colour of both surfaces");
   // Borders are off by half a cell at most, of 53 borders' pixels 36 / 23 / 2 each.
   check.That(off < 2 * 53 * 36 / 23 / 2, "borders within half a cell");
-  check.That(mapper->GetReport().SplitCells > 0 && mapper->GetReport().Surfaces == 2,
+  check.That(mapper->GetReport()->GetNumber("SplitCells") > 0 &&
+      mapper->GetReport()->GetNumber("Surfaces") == 2,
     "cells between surfaces are counted");
 }
 
@@ -192,7 +193,7 @@ void TestWoundSeam(Check& check)
   mapper->SetInflowTexture(5, MakePaint(257, 33, paint));
   const PictureError error = ComparePictures(DrawFlow(mapper, voxels, scene), expected);
   const vtkIdType jumps = CountJumps(voxels, n);
-  const vtkIdType left = mapper->GetReport().SplitCells;
+  const vtkIdType left = mapper->GetReport()->GetNumber("SplitCells");
   std::cout << "a wound seam: " << error << "; " << jumps << " cells with jumps, " << left
             << " left\n";
   check.That(error.Mean < 1e-3, "a wound seam: off by " + std::to_string(error.Mean));

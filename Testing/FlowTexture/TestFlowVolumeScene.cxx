@@ -135,7 +135,8 @@ void TestSheets(Check& check)
     DrawFlow(mapper, MakeFlowVoxels(33, sheets), scene), MakeFlowPicture(scene, 4000));
   std::cout << "two sheets: " << error << "\n";
   check.That(error.Max <= 0.02, "sheets within empty cells");
-  check.That(mapper->GetReport().EmptyCells > 20 * 32 * 32, "empty cells are counted");
+  check.That(
+    mapper->GetReport()->GetNumber("EmptyCells") > 20 * 32 * 32, "empty cells are counted");
 }
 
 /// A pane hides what is behind it, whichever way the window draws.
@@ -166,7 +167,7 @@ void TestOpaque(Check& check)
     stage.SetCamera(scene.Camera);
     stage.AddActor(pane);
     const RgbaPicture found = stage.Capture();
-    check.Contains(mapper->GetReport().Features, "opaque");
+    check.Contains(mapper->GetReport()->GetText("Features"), "opaque");
     scene.IsKept = [](const Place3& x) { return x[0] > 0.05; };
     const RgbaPicture expected = MakeFlowPicture(scene, 800);
     double largest = 0.0;
@@ -213,7 +214,8 @@ void TestRenderers(Check& check)
     window->AddRenderer(renderers[i]);
   }
   window->Render();
-  check.Equal(mapper->GetReport().GridUploads, 0, "one set of textures for both renderers");
+  check.Near(mapper->GetReport()->GetNumber("GridUploads"), 0, 0.0,
+    "one set of textures for both renderers");
   vtkNew<vtkUnsignedCharArray> pixels;
   window->GetRGBACharPixelData(0, 0, 95, 47, 0, pixels);
   int largest = 0;

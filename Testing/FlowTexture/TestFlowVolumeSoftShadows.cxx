@@ -146,10 +146,10 @@ void TestFormula(Check& check)
     vtkNew<vtkImplicitFlowVolumeMapper> mapper;
     const RgbaPicture found = Draw(mapper, light, scene, &PaintSlabs);
     const LightError error = CompareLight(found, expected);
-    const vtkImplicitFlowVolumeReport& report = mapper->GetReport();
+    vtkInterlumeReport* report = mapper->GetReport();
     std::cout << "emitter of " << size << ": light off by " << error.Mean << " in the mean of "
-              << error.Pixels << " pixels; " << report.LightBufferSize << " columns, "
-              << report.Features << "\n";
+              << error.Pixels << " pixels; " << report->GetNumber("LightBufferSize") << " columns, "
+              << report->GetText("Features") << "\n";
     const std::string name = "emitter of " + std::to_string(size);
     check.That(error.Pixels > 100, name + " is seen");
     check.That(error.Mean <= 0.007 + 0.008 * size, name + ": off by " + std::to_string(error.Mean));

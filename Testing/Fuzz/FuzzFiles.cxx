@@ -118,7 +118,7 @@ std::string TryCheckpoint(const std::string& bytes)
   {
     return "the output is not that of a run without a file";
   }
-  return filter->GetReport().ResumedStreamlines == 0 && messages.GetText().empty()
+  return filter->GetReport()->GetNumber("ResumedStreamlines") == 0 && messages.GetText().empty()
     ? "the file is refused without a word"
     : "";
 }

@@ -66,7 +66,7 @@ public:
   /// Looks at the origin along a direction.
   void LookAlong(const std::array<double, 3>& direction);
 
-  const vtkShadowedSceneReport& GetReport() const { return this->Pass->GetReport(); }
+  vtkInterlumeReport* GetReport() const { return this->Pass->GetReport(); }
 
   VolumeStage Stage;
   vtkNew<vtkShadowedScenePass> Pass;

@@ -98,7 +98,7 @@ public:
     mapper->SetNumberOfLightSamples(Samples);
     mapper->SetLightBufferSize(64);
     RgbaPicture found = DrawByMapper(mapper, scene);
-    if (mapper->GetReport().HardLightsInstead > 0)
+    if (mapper->GetReport()->GetNumber("AreaLightsWithHardShadows") > 0)
     {
       // The light is too close or too large for layers.
       mapper->SetSoftShadowMethodToSampledLights();

@@ -118,7 +118,7 @@ int TestSceneChanges(int, char*[])
   for (int i = 0; i < changes; ++i)
   {
     const RgbaPicture found = kept.Draw(state);
-    soft += kept.Stage.GetReport().SampleMaps > 0 ? 1 : 0;
+    soft += kept.Stage.GetReport()->GetNumber("SampleMaps") > 0 ? 1 : 0;
     Scene anew;
     check.Near(
       ComparePictures(found, anew.Draw(state)).Max, 0.0, 0.0, "picture " + std::to_string(i), 1.0);

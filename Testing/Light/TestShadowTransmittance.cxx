@@ -191,7 +191,7 @@ void TestMedia(Check& check)
         LightBuffer buffer(mapper, scene);
         errors.push_back(GetLargestError(buffer, slope, largest * medium.Integral(0.0)));
         // So many slices that they fill the volume.
-        const double inUse = mapper->GetReport().SliceSpacing;
+        const double inUse = mapper->GetReport()->GetNumber("SliceSpacing");
         check.That(inUse <= 1.000001 * spacing && inUse > 0.8 * spacing, "the spacing is used");
         std::cout << "  spacing " << spacing << ": " << errors.back() << std::endl;
         // The first order, but for rounding; a sixteenth of the spacing, a sixteenth of the error.

@@ -230,7 +230,7 @@ void TestPlate(Check& check, const Case& plate)
   std::sort(values.begin(), values.end());
   std::cout << plate.Name << ": roughness " << roughness << ", 99 % within "
             << values[values.size() * 99 / 100] << ", mean off by " << mean - bright << " of 255, "
-            << mapper->GetReport().LightBufferSize << "^2" << std::endl;
+            << mapper->GetReport()->GetNumber("LightBufferSize") << "^2" << std::endl;
   check.That(opacity > 0.999, "the plate is opaque");
   check.Near(roughness, 0.0, plate.Roughness, "roughness", 1.0);
   check.Near(mean, bright, plate.Bias, "mean", 1.0);

@@ -6,6 +6,7 @@
 #include "Support/Pictures/MixedScene.h"
 #include "Support/Pictures/ReferenceMixedPicture.h"
 #include "Support/Pictures/ShadowCases.h"
+#include "Support/Checks/ReferenceReport.h"
 #include "SceneStage.h"
 #include "VolumePile.h"
 
@@ -116,10 +117,12 @@ void TestScene(
   VolumePile pile(scene);
   const RgbaPicture picture = pile.Draw();
   const auto volumes = static_cast<int>(scene.Volumes.size());
-  check.Equal(pile.GetReport().VolumesTogether, volumes, name + ": volumes together");
-  check.That(pile.GetReport().VolumesApart.empty(), name + ": nothing is apart");
-  check.Equal(static_cast<int>(pile.Mappers[0]->GetReport().LightBuffers),
-    static_cast<int>(scene.Lights.size()), name + ": one buffer for each light");
+  check.Near(pile.GetReport()->GetNumber("VolumesInSharedSlices"), volumes, 0.0,
+    name + ": volumes together");
+  check.That(
+    pile.GetReport()->GetText("SeparateVolumesReason").empty(), name + ": nothing is apart");
+  check.Near(pile.Mappers[0]->GetReport()->GetNumber("LightBuffers"),
+    static_cast<int>(scene.Lights.size()), 0.0, name + ": one buffer for each light");
   ExpectAlike(check, name, picture, MakeMixedPicture(scene), bound);
   VolumePile reversed(scene, true);
   check.Near(ComparePictures(picture, reversed.Draw()).Max, 0.0, 1e-6,
@@ -416,10 +419,10 @@ void TestSoftShadows(Check& check)
   scene.Lights = { { MakeRoundLamp(place, diameter), MakeRoundPoints(place, side, up, 40) } };
   VolumePile pile(scene);
   const RgbaPicture picture = pile.Draw();
-  const vtkShadowedSliceReport& report = pile.Mappers[1]->GetReport();
-  check.Equal(report.LightLayers, 8, "soft: layers for both volumes");
-  check.Equal(report.LightBuffers, 1, "soft: one buffer");
-  check.Equal(report.HardLightsInstead, 0, "soft: no hard light");
+  vtkInterlumeReport* report = pile.Mappers[1]->GetReport();
+  check.Near(report->GetNumber("LightLayers"), 8, 0.0, "soft: layers for both volumes");
+  check.Near(report->GetNumber("LightBuffers"), 1, 0.0, "soft: one buffer");
+  check.Near(report->GetNumber("AreaLightsWithHardShadows"), 0, 0.0, "soft: no hard light");
   const RgbaPicture expected = MakeMixedPicture(scene);
   ExpectAlike(check, "soft shadows", picture, expected, { 0.02, 0.0002 });
   scene.Lights[0].Points.clear();
@@ -463,46 +466,50 @@ void TestSettings(Check& check)
   VolumePile pile(scene);
   vtkShadowedSliceMapper* first = pile.Mappers[0];
   vtkShadowedSliceMapper* second = pile.Mappers[1];
-  const auto draw = [&]() -> const vtkShadowedSliceReport&
+  const auto draw = [&]() -> vtkInterlumeReport*
   {
     pile.Draw();
-    check.Equal(pile.GetReport().VolumesTogether, 2, "settings: together");
+    check.Near(pile.GetReport()->GetNumber("VolumesInSharedSlices"), 2, 0.0, "settings: together");
     return second->GetReport();
   };
   first->SetSliceSpacing(0.1);
   second->SetSliceSpacing(0.03);
   first->SetLightBufferSize(96);
   second->SetLightBufferSize(160);
-  check.That(draw().SliceSpacing <= 0.03 && second->GetReport().SliceSpacing > 0.025,
+  check.That(draw()->GetNumber("SliceSpacing") <= 0.03 &&
+      second->GetReport()->GetNumber("SliceSpacing") > 0.025,
     "settings: the finest spacing");
-  check.Equal(second->GetReport().LightBufferSize, 160, "settings: the largest buffer");
-  check.Equal(second->GetReport().LightChannels, 1, "settings: one channel");
+  check.Near(
+    second->GetReport()->GetNumber("LightBufferSize"), 160, 0.0, "settings: the largest buffer");
+  check.Near(second->GetReport()->GetNumber("LightChannels"), 1, 0.0, "settings: one channel");
   first->SetLightBufferSize(0);
   second->SetLightBufferSize(304);
-  check.Equal(draw().LightBufferSize, 304, "settings: no less than what is set");
+  check.Near(draw()->GetNumber("LightBufferSize"), 304, 0.0, "settings: no less than what is set");
   second->SetLightBufferSize(0);
   second->SetSliceSpacing(0.0);
-  check.That(draw().SliceSpacing < 0.02, "settings: the automatic spacing is finer");
+  check.That(draw()->GetNumber("SliceSpacing") < 0.02, "settings: the automatic spacing is finer");
   vtkNew<vtkColorTransferFunction> color;
   color->AddRGBPoint(0.0, 0.2, 0.5, 0.8);
   first->SetTransmissionColor(color);
-  check.Equal(draw().LightChannels, 3, "settings: three channels");
-  check.That(second->GetReport().Features.find("transmission") != std::string::npos,
+  check.Near(draw()->GetNumber("LightChannels"), 3, 0.0, "settings: three channels");
+  check.That(second->GetReport()->GetText("Features").find("transmission") != std::string::npos,
     "settings: the other one's light has colours too");
   first->SetImageSampleDistance(4.0);
   second->SetImageSampleDistance(2.0);
-  check.Near(draw().ImageSampleDistance, 2.0, 1e-12, "settings: the finest picture", 1.0);
+  check.Near(
+    draw()->GetNumber("ImageSampleDistance"), 2.0, 1e-12, "settings: the finest picture", 1.0);
 
   // Enough for one of them with small buffers.
   first->SetLightBufferSize(32);
   second->SetLightBufferSize(32);
   second->SetMaximumTextureMemory(
-    first->GetReport().TextureBytes + second->GetReport().TextureBytes);
+    first->GetReport()->GetNumber("TextureBytes") + second->GetReport()->GetNumber("TextureBytes"));
   pile.Draw();
-  check.Equal(pile.GetReport().VolumesTogether, 0, "memory: apart");
-  check.That(pile.GetReport().VolumesApart.find("MaximumTextureMemory") != std::string::npos,
+  check.Near(pile.GetReport()->GetNumber("VolumesInSharedSlices"), 0, 0.0, "memory: apart");
+  check.That(pile.GetReport()->GetText("SeparateVolumesReason").find("MaximumTextureMemory") !=
+      std::string::npos,
     "memory: the report says why");
-  check.Equal(pile.GetReport().Volumes, 2, "memory: both are drawn");
+  check.Near(pile.GetReport()->GetNumber("Volumes"), 2, 0.0, "memory: both are drawn");
 }
 
 /// What is drawn one by one, or by one volume alone.
@@ -515,8 +522,8 @@ void TestApart(Check& check)
   const Double3 view{ { 0.0, 0.6, -0.8 } };
   VolumePile pile(MakeScene({ large, small }, light, view));
   pile.Draw();
-  check.Equal(pile.GetReport().VolumesTogether, 0, "1 to 1000: apart");
-  check.That(pile.GetReport().VolumesApart.find("slices") != std::string::npos,
+  check.Near(pile.GetReport()->GetNumber("VolumesInSharedSlices"), 0, 0.0, "1 to 1000: apart");
+  check.That(pile.GetReport()->GetText("SeparateVolumesReason").find("slices") != std::string::npos,
     "1 to 1000: the report says why");
 
   // One volume with a floor: no group, and the same picture whatever was drawn together before.
@@ -527,27 +534,35 @@ void TestApart(Check& check)
   both.Volumes.push_back(MakeMatter({ { 0.2, 0.6, -0.2, 0.2, 0.0, 0.6 } }, 3.0, BLUE));
   VolumePile one(single);
   const RgbaPicture alone = one.Draw();
-  const vtkShadowedSliceReport expected = one.Mappers[0]->GetReport();
-  check.Equal(one.GetReport().VolumesTogether, 0, "one volume: nothing is together");
+  const auto expected = CopyReport(one.Mappers[0]->GetReport());
+  check.Near(
+    one.GetReport()->GetNumber("VolumesInSharedSlices"), 0, 0.0, "one volume: nothing is together");
   VolumePile two(both);
   const RgbaPicture together = two.Draw();
-  check.Equal(two.GetReport().VolumesTogether, 2, "two volumes: together");
+  check.Near(two.GetReport()->GetNumber("VolumesInSharedSlices"), 2, 0.0, "two volumes: together");
   check.That(ComparePictures(alone, together).Max > 0.01, "two volumes: another picture");
   two.Volumes[1]->VisibilityOff();
   check.Near(ComparePictures(two.Draw(), alone).Max, 0.0, 0.0, "one is hidden: the same bytes");
-  const vtkShadowedSliceReport& report = two.Mappers[0]->GetReport();
-  check.Equal(two.GetReport().VolumesTogether, 0, "one is hidden: nothing is together");
-  check.Equal(report.EyePasses, expected.EyePasses, "one is hidden: passes of the eye");
-  check.Equal(report.LightPasses, expected.LightPasses, "one is hidden: passes of the light");
-  check.Equal(report.LightBufferBytes, expected.LightBufferBytes, "one is hidden: light buffers");
-  check.Equal(report.ImageBufferBytes, expected.ImageBufferBytes, "one is hidden: pictures");
-  check.That(report.Features == expected.Features, "one is hidden: parts of shaders");
+  vtkInterlumeReport* report = two.Mappers[0]->GetReport();
+  check.Near(two.GetReport()->GetNumber("VolumesInSharedSlices"), 0, 0.0,
+    "one is hidden: nothing is together");
+  check.Near(report->GetNumber("ImagePasses"), expected->GetNumber("ImagePasses"), 0.0,
+    "one is hidden: passes of the eye");
+  check.Near(report->GetNumber("LightPasses"), expected->GetNumber("LightPasses"), 0.0,
+    "one is hidden: passes of the light");
+  check.Near(report->GetNumber("LightBufferBytes"), expected->GetNumber("LightBufferBytes"), 0.0,
+    "one is hidden: light buffers");
+  check.Near(report->GetNumber("ImageBufferBytes"), expected->GetNumber("ImageBufferBytes"), 0.0,
+    "one is hidden: pictures");
+  check.That(report->GetText("Features") == expected->GetText("Features"),
+    "one is hidden: parts of shaders");
   two.Volumes[1]->VisibilityOn();
   check.Near(
     ComparePictures(two.Draw(), together).Max, 0.0, 0.0, "shown again: the same bytes as before");
   two.Mappers[1]->ShadowsOff();
   two.Draw();
-  check.Equal(two.GetReport().VolumesTogether, 0, "shadows off: drawn by itself");
+  check.Near(
+    two.GetReport()->GetNumber("VolumesInSharedSlices"), 0, 0.0, "shadows off: drawn by itself");
   vtkNew<vtkImageData> buffer;
   check.That(two.Mappers[0]->ReadLightBuffer(two.Stage.GetRenderer(), both.Lights[0].Light, buffer),
     "a light's buffer of one volume");

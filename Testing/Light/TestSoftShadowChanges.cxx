@@ -43,7 +43,7 @@ int TestSoftShadowChanges(int, char*[])
     Configure(mapper, scene);
     stage.SetLights(scene.Lights);
     const RgbaPicture found = ReadWindow(stage.GetWindow());
-    soft += mapper->GetReport().SoftShadowPasses > 0 ? 1 : 0;
+    soft += mapper->GetReport()->GetNumber("SoftShadowPasses") > 0 ? 1 : 0;
 
     vtkNew<Mapper> other;
     other->SetSoftShadowMethod(mapper->GetSoftShadowMethod());

@@ -69,8 +69,8 @@ double GetShift(const std::vector<double>& profile, double width)
 
 /// What of the light comes past the half plane: the receiver is not lit evenly, so its profile is
 /// divided by that without an occluder.
-std::vector<double> GetShare(double ratio, double width, const std::function<void(Mapper*)>& set,
-  vtkShadowedSliceReport* report)
+std::vector<double> GetShare(
+  double ratio, double width, const std::function<void(Mapper*)>& set, vtkInterlumeReport* report)
 {
   const auto draw = [&](const ShadowScene& plane)
   {
@@ -79,7 +79,7 @@ std::vector<double> GetShare(double ratio, double width, const std::function<voi
     const std::vector<double> profile = GetPenumbra(DrawByMapper(mapper, plane));
     if (report)
     {
-      *report = mapper->GetReport();
+      report->DeepCopy(mapper->GetReport());
     }
     return profile;
   };
@@ -107,8 +107,8 @@ void TestHalfPlane(Check& check)
         mapper->SetLightBufferSize(size);
         mapper->SetNumberOfLightSamples(size == 128 ? 16 : 32);
       };
-      vtkShadowedSliceReport report;
-      const auto profile = GetShare(ratio, width, set, &report);
+      vtkNew<vtkInterlumeReport> report;
+      const auto profile = GetShare(ratio, width, set, report);
       const double error = GetRampWidth(profile) / width - 1.0;
       const double fit = FitRampWidth(profile) / width - 1.0;
       // The edge lies where that of hard shadows does, and the rest is compared from there.
@@ -124,9 +124,10 @@ void TestHalfPlane(Check& check)
         "half plane, dZ/Z " + std::to_string(ratio) + ", buffer of " + std::to_string(size) + "^2";
       std::cout << name << ": width off by " << 100.0 * error << " %, that of the fit by "
                 << 100.0 * fit << " %, profile by at most " << largest << ", edge by "
-                << (shift - hardShift) / Width * size << " texels, " << report.LightLayers
-                << " layers, " << report.SoftShadowPasses << " passes for " << report.LightPasses
-                << std::endl;
+                << (shift - hardShift) / Width * size << " texels, "
+                << report->GetNumber("LightLayers") << " layers, "
+                << report->GetNumber("SoftShadowPasses") << " passes for "
+                << report->GetNumber("LightPasses") << std::endl;
       check.Near(error, 0.0, 0.05, name + ": width", 1.0);
       check.Near(fit, 0.0, 0.05, name + ": width of the ramp that fits", 1.0);
       check.Near(largest, 0.0, size == 128 ? 0.035 : 0.015, name + ": profile", 1.0);
@@ -271,13 +272,14 @@ void TestConvolution(Check& check)
     mapper->SetLightBufferSize(size);
     const auto profile = GetPenumbra(DrawByMapper(mapper, MakeHalfPlane(1.0, width)));
     const double share = GetRampWidth(profile) / width;
-    const vtkShadowedSliceReport& report = mapper->GetReport();
+    vtkInterlumeReport* report = mapper->GetReport();
     std::cout << "convolution in a buffer of " << size << "^2: " << share << " of the width, "
-              << report.SoftShadowPasses << " passes" << std::endl;
+              << report->GetNumber("SoftShadowPasses") << " passes" << std::endl;
     check.That(share < 0.9 * last, "convolution: the width shrinks with the buffer");
     check.Near(share, size == 64 ? 0.488 : 0.166, 0.015, "convolution: width", 1.0);
-    check.That(report.SoftShadowPasses > 0 && report.LightLayers == 0, "convolution: passes");
-    check.Equal(report.SoftShadowBytes, 4 * size * size, "convolution: bytes");
+    check.That(report->GetNumber("SoftShadowPasses") > 0 && report->GetNumber("LightLayers") == 0,
+      "convolution: passes");
+    check.Near(report->GetNumber("SoftShadowBytes"), 4 * size * size, 0.0, "convolution: bytes");
     last = share;
   }
 }
@@ -302,9 +304,11 @@ void TestSamples(Check& check)
     sampled->SetNumberOfLightSamples(16);
     const RgbaPicture picture = DrawByMapper(layers, scene);
     ExpectAlike(check, name, picture, DrawByMapper(sampled, scene), { 0.021, 0.0005 });
-    check.Equal(layers->GetReport().Sweeps, sweeps, name + ": sweeps of layers");
-    check.Equal(layers->GetReport().HardLightsInstead, 0, name + ": lights without layers");
-    check.That(layers->GetReport().SoftShadowPasses > 0, name + ": passes over layers");
+    check.Near(layers->GetReport()->GetNumber("Sweeps"), sweeps, 0.0, name + ": sweeps of layers");
+    check.Near(layers->GetReport()->GetNumber("AreaLightsWithHardShadows"), 0, 0.0,
+      name + ": lights without layers");
+    check.That(
+      layers->GetReport()->GetNumber("SoftShadowPasses") > 0, name + ": passes over layers");
     vtkNew<Mapper> hard;
     ShadowScene point = scene;
     for (vtkSmartPointer<vtkLight>& light : point.Lights)
@@ -355,15 +359,22 @@ void TestPoint(Check& check)
     light->SetIntensity(1.0);
     const RgbaPicture expected = DrawByMapper(hard, BoxesScene(light));
     check.Near(ComparePictures(found, expected).Max, 0.0, 0.0, "a light of size 0");
-    const vtkShadowedSliceReport& a = area->GetReport();
-    const vtkShadowedSliceReport& b = hard->GetReport();
-    check.Equal(a.SoftLights, 0, "soft lights of size 0");
-    check.That(a.SoftShadowMethod.empty() && a.Features == b.Features, "features of size 0");
-    check.Equal(a.LightPasses, b.LightPasses, "light passes of size 0");
-    check.Equal(a.OcclusionPasses, b.OcclusionPasses, "occlusion passes of size 0");
-    check.Equal(a.LightBufferBytes, b.LightBufferBytes, "bytes of size 0");
-    check.Equal(a.LightLayers + a.SampledLights + a.SoftShadowPasses, 0, "layers of size 0");
-    check.Equal(a.SoftShadowBytes, 0, "bytes of layers of size 0");
+    vtkInterlumeReport* a = area->GetReport();
+    vtkInterlumeReport* b = hard->GetReport();
+    check.Near(a->GetNumber("SoftShadowLights"), 0, 0.0, "soft lights of size 0");
+    check.That(
+      a->GetText("SoftShadowMethod").empty() && a->GetText("Features") == b->GetText("Features"),
+      "features of size 0");
+    check.Near(
+      a->GetNumber("LightPasses"), b->GetNumber("LightPasses"), 0.0, "light passes of size 0");
+    check.Near(a->GetNumber("OcclusionPasses"), b->GetNumber("OcclusionPasses"), 0.0,
+      "occlusion passes of size 0");
+    check.Near(
+      a->GetNumber("LightBufferBytes"), b->GetNumber("LightBufferBytes"), 0.0, "bytes of size 0");
+    check.Near(a->GetNumber("LightLayers") + a->GetNumber("SampledLights") +
+        a->GetNumber("SoftShadowPasses"),
+      0, 0.0, "layers of size 0");
+    check.Near(a->GetNumber("SoftShadowBytes"), 0, 0.0, "bytes of layers of size 0");
   }
 }
 
@@ -375,27 +386,32 @@ void TestInside(Check& check)
   vtkNew<Mapper> mapper;
   mapper->SetNumberOfLightSamples(2);
   const RgbaPicture found = DrawByMapper(mapper, BoxesScene(MakeAreaLight(inside, 0.2)));
-  check.Equal(mapper->GetReport().SoftLights, 1, "inside: soft lights");
-  check.Equal(mapper->GetReport().HardLightsInstead, 1, "inside: lights without layers");
-  check.Equal(mapper->GetReport().SampledLights, 0, "inside: no lights of samples");
+  check.Near(mapper->GetReport()->GetNumber("SoftShadowLights"), 1, 0.0, "inside: soft lights");
+  check.Near(mapper->GetReport()->GetNumber("AreaLightsWithHardShadows"), 1, 0.0,
+    "inside: lights without layers");
+  check.Near(
+    mapper->GetReport()->GetNumber("SampledLights"), 0, 0.0, "inside: no lights of samples");
   const RgbaPicture expected = DrawByMapper(mapper, BoxesScene(MakeAreaLight(inside, 0.0)));
   check.Near(ComparePictures(found, expected).Max, 0.0, 0.0, "inside: hard shadows");
   mapper->SetSoftShadowMethodToSampledLights();
   DrawByMapper(mapper, BoxesScene(MakeAreaLight(inside, 0.2)));
-  check.Equal(mapper->GetReport().HardLightsInstead, 0, "inside: samples instead of the centre");
-  check.Equal(mapper->GetReport().SampledLights, 2, "inside: lights of samples");
-  check.Equal(mapper->GetReport().ShadowedLights, 1, "inside: lights with shadows");
-  check.Equal(mapper->GetReport().LightBuffers, 2, "inside: buffers");
+  check.Near(mapper->GetReport()->GetNumber("AreaLightsWithHardShadows"), 0, 0.0,
+    "inside: samples instead of the centre");
+  check.Near(mapper->GetReport()->GetNumber("SampledLights"), 2, 0.0, "inside: lights of samples");
+  check.Near(
+    mapper->GetReport()->GetNumber("ShadowedLights"), 1, 0.0, "inside: lights with shadows");
+  check.Near(mapper->GetReport()->GetNumber("LightBuffers"), 2, 0.0, "inside: buffers");
   mapper->SetSoftShadowMethodToSampleLayers();
   DrawByMapper(mapper, BoxesScene(MakeAreaLight({ { -1.0, 1.0, 1.5 } }, 0.5)));
-  const vtkShadowedSliceReport& report = mapper->GetReport();
-  check.Equal(report.LightLayers, 2, "outside: layers");
-  check.Equal(report.LightBuffers, 1, "outside: buffers");
-  const int texels = report.LightBufferSize * report.LightBufferSize;
-  check.Equal(report.SoftShadowBytes, 3 * 4 * texels + 3 * texels,
+  vtkInterlumeReport* report = mapper->GetReport();
+  check.Near(report->GetNumber("LightLayers"), 2, 0.0, "outside: layers");
+  check.Near(report->GetNumber("LightBuffers"), 1, 0.0, "outside: buffers");
+  const int texels = report->GetNumber("LightBufferSize") * report->GetNumber("LightBufferSize");
+  check.Near(report->GetNumber("SoftShadowBytes"), 3 * 4 * texels + 3 * texels, 0.0,
     "outside: bytes of three batches, and of two layers and their mean");
-  check.That(report.SoftShadowMethod == "SampleLayers", "outside: method");
-  check.That(report.SoftShadowPasses <= 4 * report.LightPasses, "outside: passes over layers");
+  check.That(report->GetText("SoftShadowMethod") == "SampleLayers", "outside: method");
+  check.That(report->GetNumber("SoftShadowPasses") <= 4 * report->GetNumber("LightPasses"),
+    "outside: passes over layers");
 }
 }
 

@@ -2,6 +2,7 @@
 // Soft shadows that surfaces cast by vtkShadowedScenePass: the penumbra of a half plane against its
 // exact profile, under square and round lights, parallel and tilted, near and far.
 #include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceReport.h"
 #include "Support/Light/ReferencePenumbra.h"
 #include "SceneStage.h"
 
@@ -85,7 +86,7 @@ Profile MeasureProfile(const Case& half)
   stage.Stage.GetRenderer()->GetActiveCamera()->SetClippingRange(
     4.0 * SIZE - 0.5 * GAP, 8.0 * SIZE);
   const RgbaPicture with = stage.Draw();
-  const vtkShadowedSceneReport report = stage.GetReport();
+  const auto report = CopyReport(stage.GetReport());
   stage.Pass->ShadowsOff();
   const RgbaPicture without = stage.Draw();
 
@@ -104,8 +105,8 @@ Profile MeasureProfile(const Case& half)
     profile.Found.push_back(with.At(i, PIXELS / 2)[0] / lit);
     profile.Exact.push_back(reference.GetShare({ x - shift, 0.5 * SIZE / PIXELS, 0.0 }));
   }
-  std::cout << half.Name << ": " << report.SampleMaps << " maps of " << report.SampleMapResolution
-            << "^2, ";
+  std::cout << half.Name << ": " << report->GetNumber("SampleMaps") << " maps of "
+            << report->GetNumber("SampleMapResolution") << "^2, ";
   return profile;
 }
 

@@ -29,7 +29,7 @@ public:
   ~VolumePile();
 
   RgbaPicture Draw() { return this->Stage.Capture(); }
-  const vtkShadowedSceneReport& GetReport() const { return this->Pass->GetReport(); }
+  vtkInterlumeReport* GetReport() const { return this->Pass->GetReport(); }
 
   VolumeStage Stage;
   vtkNew<vtkShadowedScenePass> Pass;

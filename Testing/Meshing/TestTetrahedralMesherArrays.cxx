@@ -47,7 +47,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Refined(vtkDataSet* input, vtkIdType* added
   mesher->Update();
   if (added)
   {
-    *added = mesher->GetReport().AddedPoints;
+    *added = static_cast<vtkIdType>(mesher->GetReport()->GetNumber("AddedPoints"));
   }
   return mesher->GetOutput();
 }

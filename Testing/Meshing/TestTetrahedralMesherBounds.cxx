@@ -49,15 +49,17 @@ void CheckBounds(vtkPolyData* surface, const Bounds& bounds, Check& check)
     check.That(report.LargestVolume <= bounds.Volume * (1 + 1e-9),
       "the maximum volume is held: " + std::to_string(report.LargestVolume));
   }
-  const vtkTetrahedralMesherReport& told = mesher->GetReport();
+  vtkInterlumeReport* told = mesher->GetReport();
+  check.Near(told->GetNumber("LargestRadiusEdgeRatio"), report.LargestRadiusEdgeRatio, 1e-6,
+    "the ratio that is reported");
   check.Near(
-    told.LargestRadiusEdgeRatio, report.LargestRadiusEdgeRatio, 1e-6, "the ratio that is reported");
-  check.Near(told.LargestVolume, report.LargestVolume, 1e-12, "the volume that is reported");
-  check.Equal(told.TetrahedraAboveQualityBound + told.TetrahedraAboveMaximumVolume, 0,
-    "tetrahedra beyond a bound");
+    told->GetNumber("LargestVolume"), report.LargestVolume, 1e-12, "the volume that is reported");
+  check.Near(told->GetNumber("TetrahedraAboveQualityBound") +
+      told->GetNumber("TetrahedraAboveMaximumVolume"),
+    0, 0.0, "tetrahedra beyond a bound");
   std::cout << "bound " << bounds.Quality << ", volume " << bounds.Volume << ": "
             << report.Tetrahedra << " tetrahedra, ratio " << report.LargestRadiusEdgeRatio
-            << ", largest " << report.LargestVolume << ", " << told.AddedPoints
+            << ", largest " << report.LargestVolume << ", " << told->GetNumber("AddedPoints")
             << " points added\n";
 }
 
@@ -92,12 +94,14 @@ void CheckNeedles(Check& check)
   mesher->SetQualityBound(1.4);
   mesher->SetMaximumVolume(0.001);
   check.That(!WarningsOf(mesher).empty(), "a warning tells that the quality bound is not held");
-  const vtkTetrahedralMesherReport& report = mesher->GetReport();
-  std::cout << "sphere of needles: " << report.Tetrahedra << " tetrahedra, "
-            << report.TetrahedraAboveQualityBound << " beyond the quality bound, smallest "
-            << report.SmallestVolume << ", largest " << report.LargestVolume << "\n";
-  check.Equal(report.TetrahedraAboveMaximumVolume, 0, "tetrahedra that are too large");
-  check.That(report.SmallestVolume > 1e-12, "no tetrahedron is tiny");
+  vtkInterlumeReport* report = mesher->GetReport();
+  std::cout << "sphere of needles: " << report->GetNumber("Tetrahedra") << " tetrahedra, "
+            << report->GetNumber("TetrahedraAboveQualityBound")
+            << " beyond the quality bound, smallest " << report->GetNumber("SmallestVolume")
+            << ", largest " << report->GetNumber("LargestVolume") << "\n";
+  check.Near(
+    report->GetNumber("TetrahedraAboveMaximumVolume"), 0, 0.0, "tetrahedra that are too large");
+  check.That(report->GetNumber("SmallestVolume") > 1e-12, "no tetrahedron is tiny");
   check.Near(
     Inspect(mesher->GetOutput()).Volume, EnclosedVolume(sphere->GetOutput()), 1e-12, "volume");
 }
@@ -148,16 +152,16 @@ void CheckRough(Check& check)
         mesher->SetMaximumVolume(bound);
         const bool isWarned = !WarningsOf(mesher).empty();
         const TetrahedraReport report = Inspect(mesher->GetOutput());
-        const vtkTetrahedralMesherReport& told = mesher->GetReport();
+        vtkInterlumeReport* told = mesher->GetReport();
         check.Equal(report.NotPositive + report.FacesTooOften + report.FacesTurned, 0, "a mesh");
         check.That(report.LargestVolume <= bound * (1 + 1e-9),
           "the maximum volume is held: " + std::to_string(report.LargestVolume / bound));
         check.That(
           report.Tetrahedra < 100000, "few tetrahedra: " + std::to_string(report.Tetrahedra));
         check.Near(report.Volume, report.BoundaryVolume, 1e-12, "volume");
-        check.That(told.SmallestVolume > 1e-15, "no tetrahedron is tiny");
-        check.Equal(
-          isWarned, told.TetrahedraAboveQualityBound > 0, "a warning of the quality bound");
+        check.That(told->GetNumber("SmallestVolume") > 1e-15, "no tetrahedron is tiny");
+        check.Equal(isWarned, told->GetNumber("TetrahedraAboveQualityBound") > 0,
+          "a warning of the quality bound");
       }
     }
   }
@@ -199,9 +203,10 @@ void CheckScales(Check& check)
     check.SetContext("scale " + std::to_string(std::log10(scale)));
     const auto other = mesh(scale);
     const double cube = scale * scale * scale;
-    check.Near(mesher->GetReport().LargestVolume / cube, Inspect(one).LargestVolume, 0.1,
-      "the volume that is reported");
-    check.That(mesher->GetReport().LargestVolume <= 4e-3 * cube * (1 + 1e-9), "the bound is held");
+    check.Near(mesher->GetReport()->GetNumber("LargestVolume") / cube, Inspect(one).LargestVolume,
+      0.1, "the volume that is reported");
+    check.That(mesher->GetReport()->GetNumber("LargestVolume") <= 4e-3 * cube * (1 + 1e-9),
+      "the bound is held");
     // Rounding of the input turns some decisions of TetGen.
     const bool isExact = scale < 1e-30 || scale > 1e30;
     check.Near(static_cast<double>(other->GetNumberOfCells()),
@@ -228,8 +233,9 @@ void CheckLimits(vtkPolyData* surface, Check& check)
   mesher->SetMaximumVolume(1e-5);
   mesher->SetMaximumNumberOfAddedPoints(500);
   const bool isWarned = !WarningsOf(mesher).empty();
-  check.That(mesher->GetReport().AddedPoints <= 600, "the number of new points is bounded");
-  check.That(isWarned && mesher->GetReport().TetrahedraAboveMaximumVolume > 0,
+  check.That(
+    mesher->GetReport()->GetNumber("AddedPoints") <= 600, "the number of new points is bounded");
+  check.That(isWarned && mesher->GetReport()->GetNumber("TetrahedraAboveMaximumVolume") > 0,
     "a warning tells that the volume is not held");
   check.Near(Inspect(mesher->GetOutput()).Volume, EnclosedVolume(surface), 1e-12, "volume");
 }

@@ -82,7 +82,7 @@ void CheckPrint(Check& check)
     { "QualityBound: 1.25", "MinimumDihedralAngle: 12.5", "MaximumVolume: 0.375",
       "MaximumNumberOfAddedPoints: 4321", "PreserveBoundary: 0", "FillNestedShells: 0",
       "SplitContacts: 1", "TimeLimit: 87.5", "WorkerFileName: nowhere", "Cells:", "CellsByTetGen",
-      "CellsConed", "CellsLeftOut", "UnsupportedCells", "SurfaceTriangles", "SplitTriangles",
+      "CellsConed", "SkippedCells", "UnsupportedCells", "SurfaceTriangles", "SplitTriangles",
       "MergedPoints", "AddedPoints", "Regions", "Tetrahedra:", "TetrahedraAboveQualityBound",
       "TetrahedraAboveMaximumVolume", "LargestRadiusEdgeRatio", "SmallestVolume", "LargestVolume",
       "TetGenCalls" },

@@ -3,8 +3,9 @@
 the points are the array's own memory, and the report's numbers are those of the output."""
 
 import numpy as np
-from interlume import report, vtkIntervalVolume
+from interlume import report, vtkInterlumeReport, vtkIntervalVolume
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 size = 9
@@ -57,16 +58,33 @@ counts = report(intervals)
 assert counts["Cells"] == (size - 1) ** 3 and counts["CellsWithOutput"] == 0, counts
 
 
-class Printed:
-    """Prints a report between other settings."""
+values = vtkInterlumeReport()
+numbers = vtkDoubleArray()
+numbers.SetName("Range")
+numbers.InsertNextValue(0.5)
+numbers.InsertNextValue(1e3)
+texts = vtkStringArray()
+texts.SetName("Reason")
+texts.InsertNextValue("none given")
+empty = vtkDoubleArray()
+empty.SetName("Empty")
+for array in (numbers, texts, empty):
+    values.AddArray(array)
 
-    def __str__(self):
-        return ("Printed (0x1)\n  Before: 1\n  Report:\n    Cells: 2\n    Range: 0.5 1e3\n"
-                "    Reason: none given\n    Empty:\n  After: 3\n    Cells: 4\n")
 
-    def GetClassName(self):
-        return "Printed"
+class Reported:
+    def GetReport(self):
+        return values
 
 
-values = report(Printed())
-assert values == {"Cells": 2, "Range": (0.5, 1e3), "Reason": "none given", "Empty": ""}, values
+assert report(Reported()) == {"Range": (0.5, 1e3), "Reason": "none given", "Empty": ()}
+same = vtkInterlumeReport()
+same.DeepCopy(values)
+assert same.IsEqual(values) and str(same) == str(values)
+same.GetAbstractArray("Range").SetValue(1, 2.0)
+assert not same.IsEqual(values)
+try:
+    report(vtkInterlumeReport())
+    raise AssertionError("no error")
+except TypeError:
+    pass

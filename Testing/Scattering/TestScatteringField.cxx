@@ -296,9 +296,9 @@ void TestInvariance(Check& check)
       mapper->SetLightBufferSize(buffer);
       mapper->SetScatteringGridSize(cells);
       const RgbaPicture picture = DrawByMapper(mapper, scene);
-      std::cout << mapper->GetReport().ScatteringCells << " cells in "
-                << mapper->GetReport().ScatteringSeconds << " s, picture in "
-                << mapper->GetReport().Seconds << " s" << std::endl;
+      std::cout << mapper->GetReport()->GetNumber("ScatteringCells") << " cells in "
+                << mapper->GetReport()->GetNumber("ScatteringSeconds") << " s, picture in "
+                << mapper->GetReport()->GetNumber("Seconds") << " s" << std::endl;
       return picture;
     };
     const auto expect = [&](const std::string& what, const std::vector<RgbaPicture>& pictures)

@@ -191,7 +191,8 @@ void TestFlatLattices(StabilityCatalogue& catalogue)
     auto image = MakeImage(one.Cells);
     AddLinearField(image, Function);
     const Extraction extraction = ExtractIntervals(image, Halves);
-    const vtkIdType counted = extraction.Report.LowerDimensionalCells;
+    const auto counted =
+      static_cast<vtkIdType>(extraction.Report->GetNumber("LowerDimensionalCells"));
     catalogue.Check(std::string("lattice-") + one.Name, "an image of fewer than three dimensions",
       "an empty output, " + std::to_string(one.Count) + " cells counted",
       std::to_string(extraction.Volume->GetNumberOfCells()) + " tetrahedra, " +

@@ -112,7 +112,7 @@ void TestScales(StabilityCatalogue& catalogue)
       catalogue.Measure("size-" + Short(size) + "-speed-" + Short(speed),
         "a box of " + Short(size) + " with speeds of " + Short(speed),
         "largest difference from the same at size 1", difference, 1e-5,
-        "Runge-Kutta 4: " + std::to_string(scaled->GetReport().Steps) + " each way");
+        "Runge-Kutta 4: " + Short(scaled->GetReport()->GetNumber("Steps")) + " each way");
     }
   }
 }
@@ -130,7 +130,8 @@ void TestAutomaticNoise(StabilityCatalogue& catalogue)
     const double difference = CompareValues(automatic, plain);
     catalogue.Measure("noise-" + Short(size), "a box of " + Short(size) + ", noise by default",
       "relative error of the noise's scale",
-      automatic->GetReport().NoiseScale / (std::sqrt(3.0) / 32.0 * size) - 1.0, 1e-14);
+      automatic->GetReport()->GetNumber("NoiseScale") / (std::sqrt(3.0) / 32.0 * size) - 1.0,
+      1e-14);
     catalogue.Measure("noise-" + Short(size) + "-value",
       "a box of " + Short(size) + ", noise by default",
       "largest difference from the same at size 1", difference, 1e-5);
@@ -157,12 +158,14 @@ void TestLongLines(StabilityCatalogue& catalogue)
   filter->SetStepLength(0.0078125);
   filter->SetLength(7812.5);
   const Messages messages = UpdateFilter(filter);
-  const vtkFlowLICReport& report = filter->GetReport();
+  vtkInterlumeReport* report = filter->GetReport();
   catalogue.Measure("steps-1000000", "a circle that is followed for a million steps each way",
     "lines that end before, and steps too few",
-    messages.Errors.empty() ? static_cast<double>(report.PointsWithShortLines) + 1e6 - report.Steps
-                            : NaN,
-    0.0, "Runge-Kutta 4: " + std::to_string(report.Steps) + " each way");
+    messages.Errors.empty()
+      ? report->GetNumber("PointsWithShortLines") + 1e6 - report->GetNumber("Steps")
+      : NaN,
+    0.0,
+    "Runge-Kutta 4: " + std::to_string(static_cast<int>(report->GetNumber("Steps"))) + " each way");
   catalogue.Measure("steps-1000000-value", "a circle that is followed for a million steps each way",
     "values not from 0 to 1", CountOutside(GetValues(filter), 0.0, 1.0), 0.0);
   filter->SetLength(7813.0);
@@ -189,7 +192,7 @@ void TestStill(StabilityCatalogue& catalogue)
   const auto number = static_cast<double>(noise->GetOutput()->GetNumberOfPoints());
   catalogue.Measure("zero-field", "vectors 0 everywhere",
     "points not at rest, and values not from 0 to 1",
-    errors.empty() ? number - static_cast<double>(noise->GetReport().PointsAtRest) +
+    errors.empty() ? number - noise->GetReport()->GetNumber("PointsAtRest") +
         CountOutside(GetValues(noise), 0.0, 1.0)
                    : NaN,
     0.0);
@@ -213,7 +216,7 @@ void TestStill(StabilityCatalogue& catalogue)
   // Those of the ten cells that have such a corner.
   catalogue.Measure("infinite-points-rest", "three vectors that are infinite",
     "points at rest but for the three, in 26 + 7 + 7 around them",
-    static_cast<double>(some->GetReport().PointsAtRest - 3), 40.0);
+    some->GetReport()->GetNumber("PointsAtRest") - 3.0, 40.0);
 }
 
 void TestPlaces(StabilityCatalogue& catalogue)

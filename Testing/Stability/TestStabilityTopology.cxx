@@ -163,7 +163,8 @@ void TestPointCells(StabilityCatalogue& catalogue)
   const CriticalPoints beside(corner);
   catalogue.Measure("nan-corner", "NaN at one point of eight cells beside the critical point",
     "critical points more or less than one, and cells not counted",
-    std::abs(beside.GetNumber() - 1.0) + std::abs(beside.Filter->GetReport().NonFiniteCells - 8.0),
+    std::abs(beside.GetNumber() - 1.0) +
+      std::abs(beside.Filter->GetReport()->GetNumber("NonFiniteCells") - 8.0),
     0.0);
   filter->SetInputData(MakeBarePoint());
   ReportRefused(catalogue, filter, "no-cells", "a point without cells", "no cells",

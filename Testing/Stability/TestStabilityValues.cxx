@@ -262,7 +262,7 @@ void TestNotFinite(StabilityCatalogue& catalogue)
   const Extraction extraction = ExtractIntervals(mesh, { { -1, 3000 } });
   catalogue.Measure("not-finite-cells", "every 23rd value is NaN or infinite",
     "cells left out too many or too few",
-    static_cast<double>(extraction.Report.NonFiniteCells - expected), 0);
+    extraction.Report->GetNumber("NonFiniteCells") - static_cast<double>(expected), 0);
   catalogue.Measure("not-finite-volume", "every 23rd value is NaN or infinite",
     "relative error of the volume of the other cells",
     RelativeError(static_cast<double>(MeasureTetrahedra(extraction.Volume).Sum),
@@ -273,9 +273,9 @@ void TestNotFinite(StabilityCatalogue& catalogue)
   const Extraction empty = ExtractIntervals(all, { { 0, 1 } });
   catalogue.Check("all-nan", "every value is NaN", "an empty output, every cell counted",
     std::to_string(empty.Volume->GetNumberOfCells()) + " tetrahedra, " +
-      std::to_string(empty.Report.NonFiniteCells) + " cells counted",
+      stability::Short(empty.Report->GetNumber("NonFiniteCells")) + " cells counted",
     empty.Volume->GetNumberOfCells() == 0 &&
-      empty.Report.NonFiniteCells == all->GetNumberOfCells());
+      empty.Report->GetNumber("NonFiniteCells") == all->GetNumberOfCells());
 
   auto other = MakeInput<vtkDoubleArray>(EvenInteger);
   const auto before = GeometricSet(ExtractIntervals(other, { { 501, 1203 } }).Volume);

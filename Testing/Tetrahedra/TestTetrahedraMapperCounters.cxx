@@ -3,6 +3,7 @@
 #include "Support/Drawing/PictureCases.h"
 #include "Support/Pictures/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceReport.h"
 #include "Tetrahedra/MapperPicture.h"
 
 #include "vtkCamera.h"
@@ -26,7 +27,6 @@ namespace
 
 using namespace reference;
 using Mapper = vtkTimeWeightedTetrahedraMapper;
-using Report = vtkTetrahedraReport;
 
 constexpr Point3 Slanted = { { 0.3, -0.4, 1.0 } };
 constexpr Point3 Red = { { 1.0, 0.1, 0.0 } };
@@ -49,16 +49,16 @@ public:
   }
 
   /// Draws with the mapper as it is.
-  Report Draw()
+  ReportCopy Draw()
   {
     this->Stage.SetVolume(this->Drawer, this->What.Property);
     this->Stage.SetCamera(this->What.Camera);
     this->Stage.Render();
-    return this->Drawer->GetReport();
+    return CopyReport(this->Drawer->GetReport());
   }
 
   /// Draws with the settings.
-  Report Draw(Blend blend)
+  ReportCopy Draw(Blend blend)
   {
     this->What.Settings.How = blend;
     Configure(this->Drawer, this->What);
@@ -78,9 +78,9 @@ private:
 };
 
 /// Both paths write features in their own spelling: `delta-t`, `DELTA_T`.
-bool HasFeature(const Report& report, const std::string& feature)
+bool HasFeature(vtkInterlumeReport* report, const std::string& feature)
 {
-  std::string text = report.Features;
+  std::string text = report->GetText("Features");
   std::transform(text.begin(), text.end(), text.begin(),
     [](unsigned char letter)
     { return letter == '_' ? '-' : static_cast<char>(std::tolower(letter)); });
@@ -95,29 +95,32 @@ bool HasFeature(const Report& report, const std::string& feature)
   return false;
 }
 
-void ExpectNothingSent(Check& check, const Report& report, const std::string& what)
+void ExpectNothingSent(Check& check, vtkInterlumeReport* report, const std::string& what)
 {
-  check.That(!report.Sorted, what + ": not sorted");
-  check.Equal(report.UploadedStaticBytes, 0, what + ": static bytes");
-  check.Equal(report.UploadedOrderBytes, 0, what + ": bytes of the order");
-  check.Equal(report.UploadedImageBytes, 0, what + ": bytes of the image");
+  check.That(!report->GetNumber("Sorted"), what + ": not sorted");
+  check.Near(report->GetNumber("UploadedStaticBytes"), 0, 0.0, what + ": static bytes");
+  check.Near(report->GetNumber("UploadedOrderBytes"), 0, 0.0, what + ": bytes of the order");
+  check.Near(report->GetNumber("UploadedImageBytes"), 0, 0.0, what + ": bytes of the image");
 }
 
 void TestReasons(Check& check, int path, bool parallel)
 {
   Scene scene(path, parallel);
-  check.That(scene.Drawer->GetReport().PathReason.empty(), "no reason before a picture");
-  const Report report = scene.Draw(Blend::Composite);
-  check.Equal(report.RenderPath, path, scene.Name + ": path");
-  check.That(!report.PathReason.empty(), scene.Name + ": a reason of the path");
-  check.That(!report.BlendReason.empty(), scene.Name + ": a reason of the blend mode");
-  check.That(!report.SortReason.empty(), scene.Name + ": a reason of the order");
-  check.Equal(report.Tetrahedra, scene.GetCells(), scene.Name + ": tetrahedra");
-  check.Equal(report.TetrahedraDrawn, scene.GetCells(), scene.Name + ": tetrahedra drawn");
-  check.Equal(report.TetrahedraClipped, 0, scene.Name + ": tetrahedra clipped");
-  check.Equal(report.Passes, 1, scene.Name + ": passes");
-  check.Equal(report.Layers, 0, scene.Name + ": layers");
-  check.That(report.MemoryBytes > 0 && report.BufferBytes > 0, scene.Name + ": memory");
+  check.That(
+    scene.Drawer->GetReport()->GetText("PathReason").empty(), "no reason before a picture");
+  const ReportCopy report = scene.Draw(Blend::Composite);
+  check.Near(report->GetNumber("RenderPath"), path, 0.0, scene.Name + ": path");
+  check.That(!report->GetText("PathReason").empty(), scene.Name + ": a reason of the path");
+  check.That(!report->GetText("BlendReason").empty(), scene.Name + ": a reason of the blend mode");
+  check.That(!report->GetText("SortReason").empty(), scene.Name + ": a reason of the order");
+  check.Near(report->GetNumber("Tetrahedra"), scene.GetCells(), 0.0, scene.Name + ": tetrahedra");
+  check.Near(
+    report->GetNumber("TetrahedraDrawn"), scene.GetCells(), 0.0, scene.Name + ": tetrahedra drawn");
+  check.Near(report->GetNumber("TetrahedraClipped"), 0, 0.0, scene.Name + ": tetrahedra clipped");
+  check.Near(report->GetNumber("Passes"), 1, 0.0, scene.Name + ": passes");
+  check.Near(report->GetNumber("Layers"), 0, 0.0, scene.Name + ": layers");
+  check.That(report->GetNumber("MemoryBytes") > 0 && report->GetNumber("BufferBytes") > 0,
+    scene.Name + ": memory");
 }
 
 void TestDeltaT(Check& check, int path, bool parallel)
@@ -126,15 +129,18 @@ void TestDeltaT(Check& check, int path, bool parallel)
   Configure(scene.Drawer, scene.What);
   scene.Drawer->SetDeltaTArrayName(nullptr);
   scene.Drawer->SetBlendModeToAutomatic();
-  const Report without = scene.Draw();
-  check.That(!without.Features.empty(), scene.Name + ": features");
+  const ReportCopy without = scene.Draw();
+  check.That(!without->GetText("Features").empty(), scene.Name + ": features");
   check.That(!HasFeature(without, "delta-t"), scene.Name + ": no extent in time");
-  check.Equal(without.BlendMode, Mapper::COMPOSITE_BLEND, scene.Name + ": automatic blend");
+  check.Near(without->GetNumber("BlendMode"), Mapper::COMPOSITE_BLEND, 0.0,
+    scene.Name + ": automatic blend");
   AddLinear(scene.What.Grid, "DeltaT", 1.0, { { -0.8, 0.5, 0.3 } });
-  const Report with = scene.Draw();
+  const ReportCopy with = scene.Draw();
   check.That(HasFeature(with, "delta-t"), scene.Name + ": an extent in time");
-  check.Equal(with.BlendMode, Mapper::OPTICAL_DEPTH_BLEND, scene.Name + ": automatic blend");
-  check.Equal(with.SortMode, Mapper::NO_SORT, scene.Name + ": automatic blend, no order");
+  check.Near(with->GetNumber("BlendMode"), Mapper::OPTICAL_DEPTH_BLEND, 0.0,
+    scene.Name + ": automatic blend");
+  check.Near(
+    with->GetNumber("SortMode"), Mapper::NO_SORT, 0.0, scene.Name + ": automatic blend, no order");
 }
 
 void TestOrder(Check& check, int path, bool parallel)
@@ -155,21 +161,23 @@ void TestOrder(Check& check, int path, bool parallel)
       scene.What.Property = MakeProperty({ { 0.0, Red, 0.1 }, { 1.0, Red, 1.0 } });
     }
     const std::string name = scene.Name + ", " + mode.Name;
-    const Report report = scene.Draw(mode.How);
-    check.Equal(report.SortMode, Mapper::NO_SORT, name + ": order");
-    check.That(!report.Sorted, name + ": not sorted");
-    check.That(!report.HasAdjacency, name + ": no adjacency");
+    const ReportCopy report = scene.Draw(mode.How);
+    check.Near(report->GetNumber("SortMode"), Mapper::NO_SORT, 0.0, name + ": order");
+    check.That(!report->GetNumber("Sorted"), name + ": not sorted");
+    check.That(!report->GetNumber("HasAdjacency"), name + ": no adjacency");
     const bool isPriority = mode.How == Blend::Priority;
-    check.Equal(report.UploadedOrderBytes,
-      isPriority && scene.IsOpenGL() ? 4 * scene.GetCells() : 0, name + ": bytes of the order");
-    check.Equal(report.Layers, isPriority ? 3 : 0, name + ": layers");
-    check.Equal(report.Passes, isPriority ? 3 : 1, name + ": passes");
+    check.Near(report->GetNumber("UploadedOrderBytes"),
+      isPriority && scene.IsOpenGL() ? 4 * scene.GetCells() : 0, 0.0,
+      name + ": bytes of the order");
+    check.Near(report->GetNumber("Layers"), isPriority ? 3 : 0, 0.0, name + ": layers");
+    check.Near(report->GetNumber("Passes"), isPriority ? 3 : 1, 0.0, name + ": passes");
     ExpectNothingSent(check, scene.Draw(), name + ", again");
     scene.What.Camera->Azimuth(10.0);
-    const Report moved = scene.Draw();
-    check.Equal(moved.UploadedStaticBytes, 0, name + ", moved: static bytes");
-    check.Equal(moved.UploadedOrderBytes, 0, name + ", moved: bytes of the order");
-    check.That(!moved.Sorted, name + ", moved: not sorted");
+    const ReportCopy moved = scene.Draw();
+    check.Near(moved->GetNumber("UploadedStaticBytes"), 0, 0.0, name + ", moved: static bytes");
+    check.Near(
+      moved->GetNumber("UploadedOrderBytes"), 0, 0.0, name + ", moved: bytes of the order");
+    check.That(!moved->GetNumber("Sorted"), name + ", moved: not sorted");
   }
 }
 
@@ -177,42 +185,48 @@ void TestSortedFrames(Check& check, int path, bool parallel)
 {
   Scene scene(path, parallel);
   const vtkIdType orderBytes = scene.IsOpenGL() ? 4 * scene.GetCells() : 0;
-  const Report first = scene.Draw(Blend::Composite);
-  check.Equal(first.SortMode, Mapper::MPVONC_SORT, scene.Name + ": order");
-  check.That(first.Sorted, scene.Name + ": sorted");
-  check.That(first.HasAdjacency, scene.Name + ": adjacency");
-  check.Equal(first.UploadedOrderBytes, orderBytes, scene.Name + ": bytes of the order");
+  const ReportCopy first = scene.Draw(Blend::Composite);
+  check.Near(first->GetNumber("SortMode"), Mapper::MPVONC_SORT, 0.0, scene.Name + ": order");
+  check.That(first->GetNumber("Sorted") > 0, scene.Name + ": sorted");
+  check.That(first->GetNumber("HasAdjacency") > 0, scene.Name + ": adjacency");
+  check.Near(
+    first->GetNumber("UploadedOrderBytes"), orderBytes, 0.0, scene.Name + ": bytes of the order");
   // What is 0 later was not before.
-  check.That((first.UploadedStaticBytes > 0) == scene.IsOpenGL(), scene.Name + ": static bytes");
-  check.That((first.UploadedImageBytes > 0) == !scene.IsOpenGL(), scene.Name + ": image bytes");
+  check.That((first->GetNumber("UploadedStaticBytes") > 0) == scene.IsOpenGL(),
+    scene.Name + ": static bytes");
+  check.That((first->GetNumber("UploadedImageBytes") > 0) == !scene.IsOpenGL(),
+    scene.Name + ": image bytes");
   ExpectNothingSent(check, scene.Draw(), scene.Name + ", still");
   ExpectNothingSent(check, scene.Draw(), scene.Name + ", still again");
 
   for (int step = 0; step < 3; ++step)
   {
     scene.What.Camera->Azimuth(10.0);
-    const Report moved = scene.Draw();
-    check.That(moved.Sorted, scene.Name + ", moved: sorted");
-    check.Equal(moved.UploadedStaticBytes, 0, scene.Name + ", moved: static bytes");
-    check.Equal(moved.UploadedOrderBytes, orderBytes, scene.Name + ", moved: bytes of the order");
+    const ReportCopy moved = scene.Draw();
+    check.That(moved->GetNumber("Sorted") > 0, scene.Name + ", moved: sorted");
+    check.Near(
+      moved->GetNumber("UploadedStaticBytes"), 0, 0.0, scene.Name + ", moved: static bytes");
+    check.Near(moved->GetNumber("UploadedOrderBytes"), orderBytes, 0.0,
+      scene.Name + ", moved: bytes of the order");
     ExpectNothingSent(check, scene.Draw(), scene.Name + ", moved and still");
   }
 
   // Colours alone.
   scene.What.Property->GetRGBTransferFunction()->AddRGBPoint(0.5, 0.0, 1.0, 0.0);
-  const Report colored = scene.Draw();
-  check.That(!colored.Sorted, scene.Name + ", other colours: not sorted");
-  check.Equal(colored.UploadedOrderBytes, 0, scene.Name + ", other colours: bytes of the order");
+  const ReportCopy colored = scene.Draw();
+  check.That(!colored->GetNumber("Sorted"), scene.Name + ", other colours: not sorted");
+  check.Near(colored->GetNumber("UploadedOrderBytes"), 0, 0.0,
+    scene.Name + ", other colours: bytes of the order");
   if (scene.IsOpenGL())
   {
-    check.That(
-      colored.UploadedStaticBytes > 0 && colored.UploadedStaticBytes < first.UploadedStaticBytes,
+    check.That(colored->GetNumber("UploadedStaticBytes") > 0 &&
+        colored->GetNumber("UploadedStaticBytes") < first->GetNumber("UploadedStaticBytes"),
       scene.Name + ", other colours: bytes of the colours and no more");
   }
   else
   {
-    check.Equal(colored.UploadedImageBytes, first.UploadedImageBytes,
-      scene.Name + ", other colours: another image");
+    check.Near(colored->GetNumber("UploadedImageBytes"), first->GetNumber("UploadedImageBytes"),
+      0.0, scene.Name + ", other colours: another image");
   }
   ExpectNothingSent(check, scene.Draw(), scene.Name + ", other colours, still");
 }
@@ -220,8 +234,8 @@ void TestSortedFrames(Check& check, int path, bool parallel)
 void TestBoundary(Check& check, int path, bool parallel)
 {
   Scene scene(path, parallel);
-  const Report without = scene.Draw(Blend::Composite);
-  check.Equal(without.BoundaryTriangles, 0, scene.Name + ": no triangles");
+  const ReportCopy without = scene.Draw(Blend::Composite);
+  check.Near(without->GetNumber("BoundaryTriangles"), 0, 0.0, scene.Name + ": no triangles");
   check.That(!HasFeature(without, "surface"), scene.Name + ": no surface");
   // A face of the first tetrahedron.
   vtkIdType size = 0;
@@ -233,17 +247,18 @@ void TestBoundary(Check& check, int path, bool parallel)
   boundary->SetPoints(scene.What.Grid->GetPoints());
   boundary->SetPolys(triangles);
   scene.Drawer->SetBoundaryData(boundary);
-  const Report with = scene.Draw();
-  check.Equal(with.BoundaryTriangles, 1, scene.Name + ": one triangle");
-  check.Equal(with.UnmatchedTriangles, 0, scene.Name + ": no other triangle");
+  const ReportCopy with = scene.Draw();
+  check.Near(with->GetNumber("BoundaryTriangles"), 1, 0.0, scene.Name + ": one triangle");
+  check.Near(with->GetNumber("UnmatchedTriangles"), 0, 0.0, scene.Name + ": no other triangle");
   check.That(HasFeature(with, "surface"), scene.Name + ": a surface");
   ExpectNothingSent(check, scene.Draw(), scene.Name + ", with a triangle, still");
   // Light and camera go to the shader as numbers.
   scene.What.Camera->Azimuth(10.0);
-  check.Equal(scene.Draw().UploadedStaticBytes, 0, scene.Name + ", with a triangle, moved");
+  check.Near(scene.Draw()->GetNumber("UploadedStaticBytes"), 0, 0.0,
+    scene.Name + ", with a triangle, moved");
   scene.Drawer->SetBoundaryData(nullptr);
-  const Report after = scene.Draw();
-  check.Equal(after.BoundaryTriangles, 0, scene.Name + ": the triangle is gone");
+  const ReportCopy after = scene.Draw();
+  check.Near(after->GetNumber("BoundaryTriangles"), 0, 0.0, scene.Name + ": the triangle is gone");
   check.That(!HasFeature(after, "surface"), scene.Name + ": the surface is gone");
 }
 
@@ -254,10 +269,11 @@ void TestNearPlane(Check& check, int path, bool parallel)
   double range[2];
   scene.What.Camera->GetClippingRange(range);
   scene.What.Camera->SetClippingRange(scene.What.Camera->GetDistance(), range[1]);
-  const Report first = scene.Draw(Blend::Composite);
-  check.That(first.TetrahedraClipped > 0, scene.Name + ": the near plane cuts");
-  const Report still = scene.Draw();
-  check.Equal(still.TetrahedraClipped, first.TetrahedraClipped, scene.Name + ": it cuts again");
+  const ReportCopy first = scene.Draw(Blend::Composite);
+  check.That(first->GetNumber("TetrahedraClipped") > 0, scene.Name + ": the near plane cuts");
+  const ReportCopy still = scene.Draw();
+  check.Near(still->GetNumber("TetrahedraClipped"), first->GetNumber("TetrahedraClipped"), 0.0,
+    scene.Name + ": it cuts again");
   ExpectNothingSent(check, still, scene.Name + ", cut by the near plane, still");
 }
 
@@ -280,11 +296,12 @@ void TestGaps(Check& check, int path, bool parallel)
   }
   scene.What.Grid->GetCellData()->Initialize();
   scene.What.Grid->SetCells(VTK_TETRA, cells);
-  const Report sorted = scene.Draw(Blend::Composite);
-  check.That(sorted.Sorted && sorted.Gaps > 0, scene.Name + ": gaps of a mesh in two parts");
-  const Report unsorted = scene.Draw(Blend::Additive);
-  check.That(!unsorted.Sorted, scene.Name + ": additive after composite, not sorted");
-  check.Equal(unsorted.Gaps, 0, scene.Name + ": additive after composite, gaps");
+  const ReportCopy sorted = scene.Draw(Blend::Composite);
+  check.That(sorted->GetNumber("Sorted") > 0 && sorted->GetNumber("Gaps") > 0,
+    scene.Name + ": gaps of a mesh in two parts");
+  const ReportCopy unsorted = scene.Draw(Blend::Additive);
+  check.That(!unsorted->GetNumber("Sorted"), scene.Name + ": additive after composite, not sorted");
+  check.Near(unsorted->GetNumber("Gaps"), 0, 0.0, scene.Name + ": additive after composite, gaps");
 }
 
 }

@@ -3,6 +3,7 @@
 #include "Support/Pages/StabilityCase.h"
 #include "Support/Drawing/PictureCases.h"
 #include "Support/Pictures/VolumeStage.h"
+#include "Support/Checks/ReferenceReport.h"
 #include "Support/Meshes/ReferenceMesh.h"
 #include "Tetrahedra/MapperPicture.h"
 
@@ -81,7 +82,7 @@ PictureCase MakeCase()
 struct Outcome
 {
   RgbaPicture Picture;
-  vtkTetrahedraReport Report;
+  ReportCopy Report;
   /// Of the mapper, and of all others: VTK's output window and OpenGL.
   std::vector<std::string> Errors;
   std::vector<std::string> Others;
@@ -113,7 +114,7 @@ public:
     {
       this->Others.Messages.push_back("OpenGL error " + std::to_string(code));
     }
-    outcome.Report = this->Drawer->GetReport();
+    outcome.Report = CopyReport(this->Drawer->GetReport());
     outcome.Errors = this->Errors.Messages;
     outcome.Others = this->Others.Messages;
     return outcome;
@@ -142,8 +143,9 @@ std::string Describe(const Outcome& outcome)
       text << message << "; ";
     }
   }
-  text << "alpha to " << LargestAlpha(outcome.Picture) << ", " << outcome.Report.NonFiniteTetrahedra
-       << " not finite, " << outcome.Report.FlatTetrahedra << " flat";
+  text << "alpha to " << LargestAlpha(outcome.Picture) << ", "
+       << outcome.Report->GetNumber("NonFiniteTetrahedra") << " not finite, "
+       << outcome.Report->GetNumber("FlatTetrahedra") << " flat";
   std::string line = text.str();
   std::replace(line.begin(), line.end(), '\n', ' ');
   return line;
@@ -201,9 +203,9 @@ public:
       this->Catalogue.Check(row, extreme,
         std::to_string(nonFinite) + " not finite, " + std::to_string(flat) + " flat, no error",
         Describe(outcome),
-        IsSilent(outcome) && outcome.Report.NonFiniteTetrahedra == nonFinite &&
-          outcome.Report.FlatTetrahedra == flat &&
-          outcome.Report.Tetrahedra == what.Grid->GetNumberOfCells());
+        IsSilent(outcome) && outcome.Report->GetNumber("NonFiniteTetrahedra") == nonFinite &&
+          outcome.Report->GetNumber("FlatTetrahedra") == flat &&
+          outcome.Report->GetNumber("Tetrahedra") == what.Grid->GetNumberOfCells());
       const bool isSeen = LargestAlpha(expected) > 0.2;
       this->Catalogue.Measure(row + "-picture", extreme, "the others as in the reference",
         isSeen ? ComparePictures(outcome.Picture, expected).Max : NaN, Bound);
@@ -397,8 +399,9 @@ void TestNonFinite(Table& table)
       [](Attempt& attempt, Outcome& outcome)
       {
         outcome = attempt.Draw();
-        return outcome.Report.NonFiniteTetrahedra == outcome.Report.Tetrahedra &&
-          outcome.Report.Tetrahedra > 0 && LargestAlpha(outcome.Picture) == 0.0;
+        return outcome.Report->GetNumber("NonFiniteTetrahedra") ==
+          outcome.Report->GetNumber("Tetrahedra") &&
+          outcome.Report->GetNumber("Tetrahedra") > 0 && LargestAlpha(outcome.Picture) == 0.0;
       },
       [x](PictureCase& what) { what.Grid->GetPointData()->GetScalars()->FillComponent(0, x); });
   }
@@ -457,8 +460,9 @@ void TestGhosts(Table& table)
       }
       half.Grid->SetCells(VTK_TETRA, cells);
       const RgbaPicture expected = DrawByReference(half);
-      return LargestAlpha(expected) > 0.2 && outcome.Report.NonFiniteTetrahedra == 0 &&
-        outcome.Report.FlatTetrahedra == 0 &&
+      return LargestAlpha(expected) > 0.2 &&
+        outcome.Report->GetNumber("NonFiniteTetrahedra") == 0 &&
+        outcome.Report->GetNumber("FlatTetrahedra") == 0 &&
         ComparePictures(outcome.Picture, expected).Max < Bound;
     },
     [](PictureCase& what)
@@ -481,7 +485,7 @@ void TestEmpty(Table& table)
   const auto isNothing = [](Attempt& attempt, Outcome& outcome)
   {
     outcome = attempt.Draw();
-    return LargestAlpha(outcome.Picture) == 0.0 && outcome.Report.Tetrahedra == 0;
+    return LargestAlpha(outcome.Picture) == 0.0 && outcome.Report->GetNumber("Tetrahedra") == 0;
   };
   table.Quiet("empty", "a grid without cells and points", "nothing drawn", isNothing,
     [](PictureCase& what) { what.Grid->Initialize(); });

@@ -77,7 +77,7 @@ int TestTetrahedraMapperState(int, char*[])
     volume->SetProperty(MakeRamp(0.1, 1.0, 0.25));
     renderer->AddVolume(volume);
     const std::map<std::string, GLint> after = GetStates(window);
-    check.That(mapper->GetReport().TetrahedraDrawn > 0, "the volume is drawn");
+    check.That(mapper->GetReport()->GetNumber("TetrahedraDrawn") > 0, "the volume is drawn");
     for (const auto& state : before)
     {
       check.Equal(after.at(state.first), state.second, state.first);

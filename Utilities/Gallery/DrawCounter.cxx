@@ -89,9 +89,9 @@ BufferCount CountBuffers(const Panel& panel, std::set<std::string>& features)
   {
     features.insert("scene-shadows");
     // Depth maps of lights, depth of the eye, light that volumes leave.
-    for (vtkIdType bytes : { scene->GetReport().DepthMapBytes, scene->GetReport().EyeDepthBytes,
-           scene->GetReport().TransmittanceBytes })
+    for (const char* name : { "DepthMapBytes", "CameraDepthBytes", "TransmittanceBytes" })
     {
+      const double bytes = scene->GetReport()->GetNumber(name);
       count.Buffers += bytes > 0 ? 1 : 0;
       count.Bytes += bytes;
     }
@@ -108,11 +108,11 @@ void AddVolumeReports(const Panel& panel, SceneReport& report)
   {
     if (auto* sliced = vtkShadowedSliceMapper::SafeDownCast(volume->GetMapper()))
     {
-      report.AddVolume(sliced->GetReport());
+      report.AddSlicedVolume(sliced->GetReport());
     }
     else if (auto* inflow = vtkImplicitFlowVolumeMapper::SafeDownCast(volume->GetMapper()))
     {
-      report.AddVolume(inflow->GetReport());
+      report.AddInflowVolume(inflow->GetReport());
     }
     else
     {

@@ -102,7 +102,7 @@ void WriteFact(std::ostream& page, const std::string& name, const std::string& v
 }
 
 /// Of all volumes drawn in slices together.
-void WriteSlices(std::ostream& page, const std::vector<vtkShadowedSliceReport>& volumes)
+void WriteSlices(std::ostream& page, const SceneReport::VolumeReports& volumes)
 {
   if (volumes.empty())
   {
@@ -111,11 +111,11 @@ void WriteSlices(std::ostream& page, const std::vector<vtkShadowedSliceReport>& 
   int slices = 0;
   int lights = 0;
   int lightBuffers = 0;
-  for (const vtkShadowedSliceReport& volume : volumes)
+  for (vtkInterlumeReport* volume : volumes)
   {
-    slices += volume.SlicesDrawn;
-    lights = std::max(lights, volume.Lights);
-    lightBuffers += volume.LightBuffers;
+    slices += volume->GetNumber("SlicesDrawn");
+    lights = std::max(lights, static_cast<int>(volume->GetNumber("Lights")));
+    lightBuffers += volume->GetNumber("LightBuffers");
   }
   WriteFact(page, "Slices", Grouped(slices));
   WriteFact(page, "Lights", std::to_string(lights));
@@ -156,7 +156,7 @@ void WriteScene(std::ostream& page, const Scene& scene, const SceneReport& repor
   page << "<dl>\n";
   if (report.Filters > 0)
   {
-    WriteFact(page, "Cells in", Grouped(report.Extraction.Cells));
+    WriteFact(page, "Cells in", Grouped(report.Extraction.at("Cells")));
     WriteFact(page, "Tetrahedra out", Grouped(report.Tetrahedra));
     WriteFact(page, "Intervals", std::to_string(report.Intervals));
     WriteFact(page, "Extraction", Seconds(report.ExtractSeconds));

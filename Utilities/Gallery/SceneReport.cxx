@@ -1,115 +1,185 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gallery/SceneReport.h"
 
+#include "vtkDataArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkStringArray.h"
+
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <vector>
 
 namespace gallery
 {
 namespace
 {
-const char* GetName(const std::vector<const char*>& names, int mode)
+/// Values of extraction filters that do not add up.
+const std::set<std::string> LARGEST{ "ArraysInterpolated", "ArraysCopied", "Passes",
+  "WorkingBytes" };
+
+/// Returns the key of a value: "tetrahedra_drawn" for "TetrahedraDrawn".
+std::string GetKey(const std::string& name)
 {
-  return names.at(static_cast<std::size_t>(mode));
+  std::string key;
+  for (char letter : name)
+  {
+    key += std::isupper(letter) && !key.empty() ? "_" : "";
+    key += static_cast<char>(std::tolower(letter));
+  }
+  return key;
 }
 
-nlohmann::json ToJson(const vtkTetrahedraReport& volume)
+nlohmann::json ValueToJson(vtkInterlumeReport* report, const std::string& name)
 {
-  return { { "path", GetName({ "opengl", "software" }, volume.RenderPath) },
-    { "blend",
-      GetName(
-        { "composite", "maximum", "additive", "priority", "optical-depth" }, volume.BlendMode) },
-    { "sort", GetName({ "none", "centroid", "mpvonc" }, volume.SortMode) },
-    { "sort_reason", volume.SortReason }, { "sorted", volume.Sorted },
-    { "adjacency", volume.HasAdjacency }, { "features", volume.Features },
-    { "tetrahedra", volume.Tetrahedra }, { "tetrahedra_drawn", volume.TetrahedraDrawn },
-    { "boundary_triangles", volume.BoundaryTriangles }, { "passes", volume.Passes },
-    { "layers", volume.Layers }, { "cycles", volume.Cycles }, { "gaps", volume.Gaps },
-    { "control_points", volume.ControlPoints }, { "pixel_stride", volume.PixelStride },
-    { "buffers", volume.Buffers }, { "buffer_bytes", volume.BufferBytes },
-    { "memory_bytes", volume.MemoryBytes },
-    { "uploaded_bytes",
-      volume.UploadedStaticBytes + volume.UploadedOrderBytes + volume.UploadedImageBytes },
-    { "seconds", volume.Seconds } };
+  if (vtkStringArray::SafeDownCast(report->GetAbstractArray(name.c_str())))
+  {
+    return report->GetText(name);
+  }
+  const double number = report->GetNumber(name);
+  return vtkIdTypeArray::SafeDownCast(report->GetArray(name.c_str()))
+    ? nlohmann::json(static_cast<vtkIdType>(number))
+    : nlohmann::json(number);
 }
 
-nlohmann::json ToJson(const vtkShadowedSliceReport& volume)
+nlohmann::json ToJson(vtkInterlumeReport* report, std::initializer_list<const char*> names)
 {
-  return { { "features", volume.Features }, { "lights", volume.Lights },
-    { "shadowed_lights", volume.ShadowedLights }, { "sweeps", volume.Sweeps },
-    { "front_to_back_sweeps", volume.FrontToBackSweeps }, { "slices", volume.Slices },
-    { "slices_drawn", volume.SlicesDrawn }, { "slice_spacing", volume.SliceSpacing },
-    { "eye_passes", volume.EyePasses }, { "light_passes", volume.LightPasses },
-    { "occlusion_passes", volume.OcclusionPasses }, { "image_buffers", volume.ImageBuffers },
-    { "image_buffer_bytes", volume.ImageBufferBytes }, { "light_buffers", volume.LightBuffers },
-    { "light_buffer_bytes", volume.LightBufferBytes },
-    { "light_buffer_size", volume.LightBufferSize }, { "light_channels", volume.LightChannels },
-    { "blocks", volume.Blocks }, { "blocks_drawn", volume.BlocksDrawn },
-    { "texture_bytes", volume.TextureBytes }, { "uploaded_bytes", volume.UploadedBytes },
-    { "image_sample_distance", volume.ImageSampleDistance }, { "seconds", volume.Seconds } };
+  nlohmann::json values;
+  for (const char* name : names)
+  {
+    values[GetKey(name)] = ValueToJson(report, name);
+  }
+  return values;
 }
 
-nlohmann::json ToJson(const vtkImplicitFlowVolumeReport& volume)
+/// Returns the name of the mode that a value is.
+const char* GetMode(
+  vtkInterlumeReport* report, const char* value, const std::vector<const char*>& names)
 {
-  return { { "features", volume.Features }, { "surfaces", volume.Surfaces },
-    { "uniform_cells", volume.UniformCells }, { "split_cells", volume.SplitCells },
-    { "empty_cells", volume.EmptyCells }, { "textures", volume.Textures },
-    { "texture_bytes", volume.TextureBytes }, { "passes", volume.Passes },
-    { "image_buffer_bytes", volume.ImageBufferBytes }, { "sample_distance", volume.SampleDistance },
-    { "seconds", volume.Seconds } };
+  return names.at(static_cast<std::size_t>(report->GetNumber(value)));
+}
+
+nlohmann::json VolumeToJson(vtkInterlumeReport* volume)
+{
+  nlohmann::json values = ToJson(volume,
+    { "SortReason", "Features", "Tetrahedra", "TetrahedraDrawn", "BoundaryTriangles", "Passes",
+      "Layers", "Cycles", "Gaps", "ControlPoints", "PixelStride", "Buffers", "BufferBytes",
+      "MemoryBytes", "Seconds" });
+  values["path"] = GetMode(volume, "RenderPath", { "opengl", "software" });
+  values["blend"] = GetMode(
+    volume, "BlendMode", { "composite", "maximum", "additive", "priority", "optical-depth" });
+  values["sort"] = GetMode(volume, "SortMode", { "none", "centroid", "mpvonc" });
+  values["sorted"] = volume->GetNumber("Sorted") > 0;
+  values["adjacency"] = volume->GetNumber("HasAdjacency") > 0;
+  values["uploaded_bytes"] = static_cast<vtkIdType>(
+    SumValues(volume, { "UploadedStaticBytes", "UploadedOrderBytes", "UploadedImageBytes" }));
+  return values;
+}
+
+nlohmann::json SlicedVolumeToJson(vtkInterlumeReport* volume)
+{
+  nlohmann::json values = ToJson(volume,
+    { "Features", "Lights", "ShadowedLights", "Sweeps", "FrontToBackSweeps", "Slices",
+      "SlicesDrawn", "SliceSpacing", "LightPasses", "OcclusionPasses", "ImageBuffers",
+      "ImageBufferBytes", "LightBuffers", "LightBufferBytes", "LightBufferSize", "LightChannels",
+      "Blocks", "BlocksDrawn", "TextureBytes", "UploadedBytes", "ImageSampleDistance", "Seconds" });
+  values["eye_passes"] = ValueToJson(volume, "ImagePasses");
+  return values;
+}
+
+nlohmann::json InflowVolumeToJson(vtkInterlumeReport* volume)
+{
+  return ToJson(volume,
+    { "Features", "Surfaces", "UniformCells", "SplitCells", "EmptyCells", "Textures",
+      "TextureBytes", "Passes", "ImageBufferBytes", "SampleDistance", "Seconds" });
+}
+
+nlohmann::json ToJson(const SceneReport::VolumeReports& volumes,
+  nlohmann::json (*volumeToJson)(vtkInterlumeReport* volume))
+{
+  nlohmann::json list = nlohmann::json::array();
+  for (vtkInterlumeReport* volume : volumes)
+  {
+    list.push_back(volumeToJson(volume));
+  }
+  return list;
+}
+
+nlohmann::json ToJson(const std::map<std::string, vtkIdType>& numbers)
+{
+  nlohmann::json values;
+  for (const auto& [name, number] : numbers)
+  {
+    values[GetKey(name)] = number;
+  }
+  return values;
+}
+
+void Append(SceneReport::VolumeReports& volumes, vtkInterlumeReport* volume)
+{
+  volumes.push_back(vtkSmartPointer<vtkInterlumeReport>::New());
+  volumes.back()->DeepCopy(volume);
 }
 }
 
-void SceneReport::AddVolume(const vtkTetrahedraReport& volume)
+double SumValues(vtkInterlumeReport* report, std::initializer_list<const char*> names)
+{
+  double sum = 0.0;
+  for (const char* name : names)
+  {
+    // GetNumber reports an unknown name.
+    const vtkIdType size = report->Has(name) ? report->GetSize(name) : 1;
+    for (vtkIdType entry = 0; entry < size; ++entry)
+    {
+      sum += report->GetNumber(name, entry);
+    }
+  }
+  return sum;
+}
+
+void SceneReport::AddExtraction(vtkInterlumeReport* filter)
+{
+  for (auto& [name, value] : this->Extraction)
+  {
+    const auto own = static_cast<vtkIdType>(filter->GetNumber(name));
+    value = LARGEST.count(name) > 0 ? std::max(value, own) : value + own;
+  }
+}
+
+void SceneReport::AddVolume(vtkInterlumeReport* volume)
 {
   this->Features.insert("volumes");
-  this->Passes += volume.Passes;
-  this->Buffers += volume.Buffers;
-  this->Bytes += volume.BufferBytes;
-  this->Volumes.push_back(volume);
+  this->Passes += volume->GetNumber("Passes");
+  this->Buffers += volume->GetNumber("Buffers");
+  this->Bytes += volume->GetNumber("BufferBytes");
+  Append(this->Volumes, volume);
 }
 
-void SceneReport::AddVolume(const vtkShadowedSliceReport& volume)
+void SceneReport::AddSlicedVolume(vtkInterlumeReport* volume)
 {
   this->Features.insert("slices");
-  if (volume.ShadowedLights > 0)
+  if (volume->GetNumber("ShadowedLights") > 0)
   {
     this->Features.insert("shadows");
   }
-  this->Passes += volume.EyePasses + volume.LightPasses + volume.OcclusionPasses;
-  this->Buffers += volume.ImageBuffers + volume.LightBuffers;
-  this->Bytes += volume.ImageBufferBytes + volume.LightBufferBytes;
-  this->SlicedVolumes.push_back(volume);
+  this->Passes += SumValues(volume, { "ImagePasses", "LightPasses", "OcclusionPasses" });
+  this->Buffers += SumValues(volume, { "ImageBuffers", "LightBuffers" });
+  this->Bytes += SumValues(volume, { "ImageBufferBytes", "LightBufferBytes" });
+  Append(this->SlicedVolumes, volume);
 }
 
-void SceneReport::AddVolume(const vtkImplicitFlowVolumeReport& volume)
+void SceneReport::AddInflowVolume(vtkInterlumeReport* volume)
 {
   this->Features.insert("inflow-textures");
-  this->Passes += volume.Passes;
+  this->Passes += volume->GetNumber("Passes");
   this->Buffers += 1;
-  this->Bytes += volume.ImageBufferBytes;
-  this->InflowVolumes.push_back(volume);
+  this->Bytes += volume->GetNumber("ImageBufferBytes");
+  Append(this->InflowVolumes, volume);
 }
 
 nlohmann::json ToJson(const SceneReport& report)
 {
-  const vtkExtractionReport& extraction = report.Extraction;
-  nlohmann::json volumes = nlohmann::json::array();
-  for (const vtkTetrahedraReport& volume : report.Volumes)
-  {
-    volumes.push_back(ToJson(volume));
-  }
-  nlohmann::json slicedVolumes = nlohmann::json::array();
-  for (const vtkShadowedSliceReport& volume : report.SlicedVolumes)
-  {
-    slicedVolumes.push_back(ToJson(volume));
-  }
-  nlohmann::json inflowVolumes = nlohmann::json::array();
-  for (const vtkImplicitFlowVolumeReport& volume : report.InflowVolumes)
-  {
-    inflowVolumes.push_back(ToJson(volume));
-  }
   return { { "id", report.Id }, { "figure", report.Figure },
     { "size", { report.Width, report.Height } },
     { "seconds", report.BuildSeconds + report.RenderSeconds },
@@ -119,24 +189,14 @@ nlohmann::json ToJson(const SceneReport& report)
     { "features", report.Features }, { "panels", report.Panels },
     { "surface_panels", report.SurfacePanels }, { "occlusion_panels", report.OcclusionPanels },
     { "passes", report.Passes }, { "buffers", report.Buffers }, { "bytes", report.Bytes },
-    { "volumes", volumes }, { "sliced_volumes", slicedVolumes },
-    { "inflow_volumes", inflowVolumes }, { "filters", report.Filters },
-    { "intervals", report.Intervals }, { "criteria", report.Criteria },
-    { "tetrahedra", report.Tetrahedra }, { "boundary_triangles", report.BoundaryTriangles },
-    { "slabs", report.Slabs }, { "simplices", report.Simplices },
-    { "flow_cells", report.FlowCells }, { "flow_cells_left_out", report.FlowCellsLeftOut },
-    { "inflow_passes", report.InflowPasses }, { "time_passes", report.TimePasses },
-    { "extraction",
-      { { "cells", extraction.Cells }, { "cells_visited", extraction.CellsVisited },
-        { "cells_with_output", extraction.CellsWithOutput },
-        { "lower_dimensional_cells", extraction.LowerDimensionalCells },
-        { "non_finite_cells", extraction.NonFiniteCells },
-        { "blanked_cells", extraction.BlankedCells },
-        { "linearized_cells", extraction.LinearizedCells },
-        { "unsupported_cells", extraction.UnsupportedCells },
-        { "collapsed_simplices", extraction.CollapsedSimplices },
-        { "arrays_interpolated", extraction.ArraysInterpolated },
-        { "arrays_copied", extraction.ArraysCopied }, { "passes", extraction.Passes },
-        { "working_bytes", extraction.WorkingBytes } } } };
+    { "volumes", ToJson(report.Volumes, &VolumeToJson) },
+    { "sliced_volumes", ToJson(report.SlicedVolumes, &SlicedVolumeToJson) },
+    { "inflow_volumes", ToJson(report.InflowVolumes, &InflowVolumeToJson) },
+    { "filters", report.Filters }, { "intervals", report.Intervals },
+    { "criteria", report.Criteria }, { "tetrahedra", report.Tetrahedra },
+    { "boundary_triangles", report.BoundaryTriangles }, { "slabs", report.Slabs },
+    { "simplices", report.Simplices }, { "flow_cells", report.FlowCells },
+    { "flow_cells_left_out", report.FlowCellsLeftOut }, { "inflow_passes", report.InflowPasses },
+    { "time_passes", report.TimePasses }, { "extraction", ToJson(report.Extraction) } };
 }
 }

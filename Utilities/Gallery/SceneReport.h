@@ -2,12 +2,12 @@
 #ifndef SceneReport_h
 #define SceneReport_h
 
-#include "vtkExtractionReport.h"
-#include "vtkImplicitFlowVolumeReport.h"
-#include "vtkShadowedSliceReport.h"
-#include "vtkTetrahedraReport.h"
+#include "vtkInterlumeReport.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <initializer_list>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -52,8 +52,13 @@ struct SceneReport
   /// Of interval volumes in space and time: the most slabs between steps, and the 4-simplices.
   int Slabs = 0;
   vtkIdType Simplices = 0;
-  /// Sum of the reports of the filters.
-  vtkExtractionReport Extraction;
+  /// Values of the filters' reports by their names: the sum, or the largest of those that do not
+  /// add up.
+  std::map<std::string, vtkIdType> Extraction{ { "Cells", 0 }, { "CellsVisited", 0 },
+    { "CellsWithOutput", 0 }, { "LowerDimensionalCells", 0 }, { "NonFiniteCells", 0 },
+    { "BlankedCells", 0 }, { "LinearizedCells", 0 }, { "UnsupportedCells", 0 },
+    { "CollapsedSimplices", 0 }, { "ArraysInterpolated", 0 }, { "ArraysCopied", 0 },
+    { "Passes", 0 }, { "WorkingBytes", 0 } };
 
   /// Of flow volumes: cells of the implicit flow fields, those left out because nothing may be
   /// interpolated in them, and extractions by inflow and by advection time.
@@ -73,17 +78,27 @@ struct SceneReport
   /// Off-screen textures of the drawing, and the bytes they take, the window's own included.
   int Buffers = 0;
   vtkIdType Bytes = 0;
-  /// What each volume took; its passes, buffers and bytes are in the sums above.
-  std::vector<vtkTetrahedraReport> Volumes;
-  std::vector<vtkShadowedSliceReport> SlicedVolumes;
-  std::vector<vtkImplicitFlowVolumeReport> InflowVolumes;
+  /// Copies of the reports of the volumes: of tetrahedra, of slices, and of inflow textures. Their
+  /// passes, buffers and bytes are in the sums above.
+  using VolumeReports = std::vector<vtkSmartPointer<vtkInterlumeReport>>;
+  VolumeReports Volumes;
+  VolumeReports SlicedVolumes;
+  VolumeReports InflowVolumes;
 
-  void AddVolume(const vtkTetrahedraReport& volume);
-  void AddVolume(const vtkShadowedSliceReport& volume);
-  void AddVolume(const vtkImplicitFlowVolumeReport& volume);
+  /// Adds the report of an extraction filter.
+  void AddExtraction(vtkInterlumeReport* filter);
+  ///@{
+  /// Add the report of a volume's mapper.
+  void AddVolume(vtkInterlumeReport* volume);
+  void AddSlicedVolume(vtkInterlumeReport* volume);
+  void AddInflowVolume(vtkInterlumeReport* volume);
+  ///@}
 };
 
 nlohmann::json ToJson(const SceneReport& report);
+
+/// Returns the sum of all entries of values of a report.
+double SumValues(vtkInterlumeReport* report, std::initializer_list<const char*> names);
 }
 
 #endif

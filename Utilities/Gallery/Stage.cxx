@@ -99,7 +99,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Stage::Extract(vtkIntervalVolume* filter, v
   this->Report.Intervals += filter->GetNumberOfIntervals();
   this->Report.Criteria += filter->GetNumberOfCriteria();
   this->Report.BoundaryTriangles += boundaries ? boundaries->GetNumberOfCells() : 0;
-  this->Report.Extraction.Add(filter->GetReport());
+  this->Report.AddExtraction(filter->GetReport());
   if (this->Report.Criteria > 0)
   {
     this->Report.Features.insert("criteria");
@@ -116,16 +116,16 @@ vtkSmartPointer<vtkUnstructuredGrid> Stage::Extract(
 {
   filter->SetInputConnection(source->GetOutputPort());
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = this->Run(filter);
-  const vtkTimeVaryingReport& report = filter->GetReport();
+  vtkInterlumeReport* report = filter->GetReport();
   this->Report.Intervals += filter->GetNumberOfIntervals();
-  this->Report.Slabs = std::max(this->Report.Slabs, report.Slabs);
-  this->Report.Simplices += report.Simplices;
-  this->Report.Extraction.Add(report);
+  this->Report.Slabs = std::max(this->Report.Slabs, static_cast<int>(report->GetNumber("Slabs")));
+  this->Report.Simplices += report->GetNumber("Simplices");
+  this->Report.AddExtraction(report);
   this->Report.Features.insert("time");
   for (int kind = 0; kind < vtkTimeVaryingIntervalVolume::NUMBER_OF_BOUNDARY_KINDS; ++kind)
   {
     const bool isSurface = kind <= vtkTimeVaryingIntervalVolume::UPPER_SURFACE_AT_END;
-    const vtkIdType cells = report.Boundaries[static_cast<std::size_t>(kind)];
+    const vtkIdType cells = report->GetNumber("Boundaries", kind);
     (isSurface ? this->Report.BoundaryTriangles : this->Report.Tetrahedra) += cells;
     if (cells > 0)
     {
@@ -151,12 +151,14 @@ vtkSmartPointer<vtkUnstructuredGrid> Stage::Extract(vtkFlowVolume* filter, vtkDa
       this->Report.Features.insert(port == 1 ? "stream-surfaces" : "time-surfaces");
     }
   }
-  const vtkFlowVolumeReport& report = filter->GetReport();
-  this->Report.FlowCells += report.Cells;
-  this->Report.FlowCellsLeftOut += report.CellsWithoutAnswer + report.CellsBetweenSurfaces +
-    report.CellsOnSeams + report.CellsAcrossSurfaces + report.CellsWithTimeJumps - report.CellsCut;
-  this->Report.InflowPasses += report.InflowPasses;
-  this->Report.TimePasses += report.TimePasses;
+  vtkInterlumeReport* report = filter->GetReport();
+  this->Report.FlowCells += report->GetNumber("Cells");
+  this->Report.FlowCellsLeftOut += SumValues(report,
+                                     { "CellsWithoutResult", "CellsBetweenSurfaces", "CellsOnSeams",
+                                       "CellsAcrossSurfaces", "CellsWithTimeJumps" }) -
+    report->GetNumber("CellsCut");
+  this->Report.InflowPasses += report->GetNumber("InflowPasses");
+  this->Report.TimePasses += report->GetNumber("TimePasses");
   return tetrahedra;
 }
 

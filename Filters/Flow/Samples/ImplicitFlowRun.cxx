@@ -170,8 +170,8 @@ Error ImplicitFlowRun::ExecuteInRanks(const std::vector<vtkDataArray*>& means, v
   exchange.Add(steps);
   std::vector<vtkIdType> handedOn{ streamlines->GetNumberOfHandedOn() };
   exchange.Add(handedOn);
-  this->Report.StepsOfRanks = steps;
-  this->Report.HandedOn = handedOn[0];
+  this->Report.StepsPerProcess = steps;
+  this->Report.StreamlineTransfers = handedOn[0];
   return {};
 }
 
@@ -239,12 +239,12 @@ void ImplicitFlowRun::Describe(const FieldType& field)
   this->Report.FillValues = field.GetFillValues().Number;
   this->Report.FillValue = field.GetFillValues().Value;
   this->Report.SpeedScale = field.GetSpeedScale();
-  this->Report.CellsOfFewerDimensions = field.GetNumberOfFlatCells();
+  this->Report.LowerDimensionalCells = field.GetNumberOfFlatCells();
   if constexpr (std::is_same_v<FieldType, StructuredFlowField> ||
     std::is_same_v<FieldType, UnstructuredFlowField>)
   {
-    this->Report.JoinedFaces = field.GetJoins().Number;
-    this->Report.LargestJoinedGap = field.GetJoins().LargestGap;
+    this->Report.ToleranceMatchedFaces = field.GetJoins().Number;
+    this->Report.LargestFaceGap = field.GetJoins().LargestGap;
     const auto find = [&field]() -> std::pair<vtkIdType, vtkIdType>
     {
       const interlume::OpenInterfaces open = interlume::OpenInterfaces::Find(field);
@@ -252,13 +252,13 @@ void ImplicitFlowRun::Describe(const FieldType& field)
     };
     if constexpr (std::is_same_v<FieldType, UnstructuredFlowField>)
     {
-      this->Report.KeptFaces = field.GetNumberOfKeptFaces();
-      std::tie(this->Report.OpenInterfaces, this->Report.FirstOpenCell) =
+      this->Report.ReusedFaceMatches = field.GetNumberOfKeptFaces();
+      std::tie(this->Report.NonconformingFaces, this->Report.FirstNonconformingCell) =
         field.GetMesh()->GetOpenInterfaces(find);
     }
     else
     {
-      std::tie(this->Report.OpenInterfaces, this->Report.FirstOpenCell) = find();
+      std::tie(this->Report.NonconformingFaces, this->Report.FirstNonconformingCell) = find();
     }
   }
 }

@@ -4,8 +4,8 @@
 
 #include "Advection/AdvectionOptions.h"
 #include "Common/Error.h"
+#include "Streams/FlowReport.h"
 
-#include "vtkFlowReport.h"
 #include "vtkSmartPointer.h"
 
 #include <memory>
@@ -56,7 +56,7 @@ public:
   /// abort.
   vtkUnstructuredGrid* GetRefined() const { return this->Refined; }
 
-  const vtkFlowReport& GetReport() const { return this->Report; }
+  const FlowReport& GetReport() const { return this->Report; }
 
   /// Returns whether the execution was aborted, in this or any process.
   bool WasAborted() const { return this->Aborted; }
@@ -98,7 +98,7 @@ private:
   RankField* Ranks = nullptr;
   FlowCheckpoint* Checkpoint = nullptr;
   vtkSmartPointer<vtkUnstructuredGrid> Refined;
-  vtkFlowReport Report;
+  FlowReport Report;
   bool Aborted = false;
   /// Whether streamlines end within the field at hidden cells, or at vectors that are not finite.
   bool HasObstacles = false;

@@ -48,7 +48,7 @@ bool SampleIntegration::Run(vtkDataSet* samples, vtkIdType first, int level)
   this->Done = 0;
   const vtkIdType all = samples->GetNumberOfPoints();
   this->Number = all - first;
-  vtkSMPThreadLocal<vtkFlowReport> reports;
+  vtkSMPThreadLocal<FlowReport> reports;
   this->Reports = &reports;
   if (all > 0)
   {
@@ -60,7 +60,7 @@ bool SampleIntegration::Run(vtkDataSet* samples, vtkIdType first, int level)
   int dimensions[3];
   const bool isDone = this->IsShared(dimensions) ? this->FollowShared(dimensions)
                                                  : this->Follow(SampleOrder(samples, first));
-  for (const vtkFlowReport& report : reports)
+  for (const FlowReport& report : reports)
   {
     this->Context.Report.Add(report);
   }
@@ -177,13 +177,13 @@ bool SampleIntegration::FollowShared(const int dimensions[3])
           std::copy_n(answer.Parameters, 2, result.Parameters);
           result.Time = answer.Time;
           this->Take(id, result);
-          ++this->Context.Report.SharedSamples;
+          ++this->Context.Report.InterpolatedSamples;
         });
     }
   }
-  this->Context.Report.SharedChecks = lattice.GetNumberOfChecks();
-  this->Context.Report.LargestSharedError = lattice.GetLargestError();
-  this->Context.Report.MeanSharedError = lattice.GetMeanError();
+  this->Context.Report.InterpolationChecks = lattice.GetNumberOfChecks();
+  this->Context.Report.LargestInterpolationError = lattice.GetLargestError();
+  this->Context.Report.MeanInterpolationError = lattice.GetMeanError();
   return goesOn;
 }
 

@@ -53,7 +53,7 @@ private:
   // What is integrated now.
   vtkDataSet* Samples = nullptr;
   SampleArrays Arrays;
-  vtkSMPThreadLocal<vtkFlowReport>* Reports = nullptr;
+  vtkSMPThreadLocal<FlowReport>* Reports = nullptr;
   int Level = 0;
   vtkIdType Number = 0;
   vtkIdType Done = 0;

@@ -165,7 +165,7 @@ double SamplingCheck::GetError(const Cell& cell, const AdvectionResult& result, 
   return std::abs(subtract(first + sum / cell.NumberOfCorners, own));
 }
 
-vtkFlowSamplingReport::Error SamplingCheck::GetError(Quantities quantity) const
+SamplingReport::Error SamplingCheck::GetError(Quantities quantity) const
 {
   std::vector<double> errors;
   double sum = 0.0;
@@ -177,7 +177,7 @@ vtkFlowSamplingReport::Error SamplingCheck::GetError(Quantities quantity) const
       sum += errors.back();
     }
   }
-  vtkFlowSamplingReport::Error error;
+  SamplingReport::Error error;
   if (!errors.empty())
   {
     std::sort(errors.begin(), errors.end());
@@ -188,14 +188,14 @@ vtkFlowSamplingReport::Error SamplingCheck::GetError(Quantities quantity) const
   return error;
 }
 
-vtkFlowSamplingReport SamplingCheck::GetReport() const
+SamplingReport SamplingCheck::GetReport() const
 {
-  vtkFlowSamplingReport report;
+  SamplingReport report;
   report.Checks = static_cast<vtkIdType>(this->Cells.size());
   for (const Cell& cell : this->Cells)
   {
     report.SplitCells += cell.IsSplit ? 1 : 0;
-    report.DifferentMiddles += cell.IsDifferent ? 1 : 0;
+    report.MismatchedCenters += cell.IsDifferent ? 1 : 0;
     report.Compared += cell.IsCompared ? 1 : 0;
   }
   report.U = this->GetError(U);
@@ -204,13 +204,13 @@ vtkFlowSamplingReport SamplingCheck::GetReport() const
   return report;
 }
 
-void SamplingCheck::AddArrays(const vtkFlowSamplingReport& report, vtkFieldData* data)
+void SamplingCheck::AddArrays(const SamplingReport& report, vtkFieldData* data)
 {
   vtkNew<vtkIdTypeArray> checks;
   checks->SetName(vtkFlowStatus::SamplingChecksArray());
   checks->SetNumberOfComponents(4);
   const char* const kinds[] = { "Checks", "SplitCells", "DifferentMiddles", "Compared" };
-  const vtkIdType counts[] = { report.Checks, report.SplitCells, report.DifferentMiddles,
+  const vtkIdType counts[] = { report.Checks, report.SplitCells, report.MismatchedCenters,
     report.Compared };
   for (int c = 0; c < 4; ++c)
   {

@@ -2,8 +2,7 @@
 #ifndef interlume_SamplingCheck_h
 #define interlume_SamplingCheck_h
 
-#include "vtkFlowSamplingReport.h"
-#include "vtkType.h"
+#include "Streams/SamplingReport.h"
 
 #include <array>
 #include <vector>
@@ -41,9 +40,9 @@ private:
   /// Takes the streamline of a middle; threads may do so for different ones.
   void Set(vtkIdType i, const AdvectionResult& result);
   /// Returns what was found, after all middles were set.
-  vtkFlowSamplingReport GetReport() const;
+  SamplingReport GetReport() const;
   /// Adds the arrays of vtkFlowStatus that tell a report.
-  static void AddArrays(const vtkFlowSamplingReport& report, vtkFieldData* data);
+  static void AddArrays(const SamplingReport& report, vtkFieldData* data);
 
   static constexpr int MostCorners = 8;
   enum Quantities
@@ -70,7 +69,7 @@ private:
   bool IsDifferent(const Cell& cell, const AdvectionResult& result) const;
   /// Returns the error of the interpolation of u or v.
   double GetError(const Cell& cell, const AdvectionResult& result, int axis) const;
-  vtkFlowSamplingReport::Error GetError(Quantities quantity) const;
+  SamplingReport::Error GetError(Quantities quantity) const;
 
   vtkDataSet* Samples;
   const ImplicitFlowArrays& Arrays;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Streams/RankStreamlines.h"
 
+#include "Streams/FlowReport.h"
 #include "Streams/LocalStreamlines.h"
 #include "Streams/MessageBytes.h"
 #include "Streams/PartField.h"
@@ -12,7 +13,6 @@
 #include "Streams/UnstructuredPartField.h"
 
 #include "vtkAlgorithm.h"
-#include "vtkFlowReport.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -144,7 +144,7 @@ public:
   const FlowField& GetField() const override { return this->Shared; }
   vtkIdType GetNumberOfSteps() const override { return this->Steps; }
   vtkIdType GetNumberOfHandedOn() const override { return this->HandedOn; }
-  void Describe(vtkFlowReport& report) const override
+  void Describe(FlowReport& report) const override
   {
     if constexpr (Field::IsSearched)
     {
@@ -152,8 +152,8 @@ public:
       std::vector<double> gap{ this->Shared.GetJoins().LargestGap };
       this->Exchange.Add(joined);
       this->Exchange.Maximize(gap);
-      report.JoinedFaces = joined[0];
-      report.LargestJoinedGap = gap[0];
+      report.ToleranceMatchedFaces = joined[0];
+      report.LargestFaceGap = gap[0];
       OpenInterfaces open;
       if constexpr (IsUnstructured)
       {
@@ -163,8 +163,8 @@ public:
       {
         open = this->Shared.FindOpenInterfaces(this->Exchange);
       }
-      report.OpenInterfaces = open.Number;
-      report.FirstOpenCell = open.FirstCell;
+      report.NonconformingFaces = open.Number;
+      report.FirstNonconformingCell = open.FirstCell;
     }
   }
 

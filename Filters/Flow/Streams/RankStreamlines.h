@@ -10,12 +10,12 @@
 
 class vtkAlgorithm;
 class vtkDataArray;
-class vtkFlowReport;
 
 namespace interlume
 {
 
 class RankField;
+struct FlowReport;
 
 /**
  * @class   RankStreamlines
@@ -44,7 +44,7 @@ public:
   virtual vtkIdType GetNumberOfSteps() const = 0;
   virtual vtkIdType GetNumberOfHandedOn() const = 0;
   /// Fills what describes how the cells of the whole are joined. Collective.
-  virtual void Describe(vtkFlowReport& report) const = 0;
+  virtual void Describe(FlowReport& report) const = 0;
 };
 
 }

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef vtkFlowSamplingReport_h
-#define vtkFlowSamplingReport_h
+#ifndef interlume_SamplingReport_h
+#define interlume_SamplingReport_h
 
 #include "vtkType.h"
 
+namespace interlume
+{
+
 /**
- * @class   vtkFlowSamplingReport
- * @brief   how far what is interpolated between samples is from streamlines of its own
+ * @class   SamplingReport
+ * @brief   holds the error of interpolation between samples, compared with streamlines
  *
- * Holds what vtkImplicitFlowField found in the middles of cells, where the interpolation of the
- * cell's corners has its largest error: u, v and AdvectionTime there are the means of those of the
- * corners. Nothing was compared where Checks is 0.
+ * vtkImplicitFlowField measures it at the centers of cells, where the interpolation between the
+ * cell's corners has its largest error: u, v and AdvectionTime there are the means of the corners'
+ * values. If Checks is 0, nothing was compared.
  *
  * @sa vtkImplicitFlowField::SetSamplingChecks
  */
-struct vtkFlowSamplingReport
+struct SamplingReport
 {
   /// The mean of the absolute errors, the smallest that 99 in 100 of them do not exceed, and the
   /// largest.
@@ -25,19 +28,21 @@ struct vtkFlowSamplingReport
     double Largest = 0.0;
   };
 
-  /// The number of cells whose middles were compared, each with a corner in the field at least.
+  /// The number of cells whose centers were compared, each with at least one corner in the field.
   vtkIdType Checks = 0;
   /// The number of those whose corners differ in FlowStatus or TerminationId, or lie across their
-  /// surface with a jump in time: where they are drawn, a border is off by up to half a cell.
+  /// surface with a jump in time: when they are drawn, a border is off by up to half a cell.
   vtkIdType SplitCells = 0;
-  /// The number of middles that came to another status or surface than most of the corners.
-  vtkIdType DifferentMiddles = 0;
-  /// The number of all other middles that reached a surface. The errors are theirs: those of u and
+  /// The number of centers that came to another status or surface than most of the corners.
+  vtkIdType MismatchedCenters = 0;
+  /// The number of all other centers that reached a surface. The errors are theirs: those of u and
   /// v, in units of TerminationUV and never more than half a period, and of AdvectionTime.
   vtkIdType Compared = 0;
   Error U;
   Error V;
   Error Time;
 };
+
+}
 
 #endif

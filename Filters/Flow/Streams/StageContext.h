@@ -3,9 +3,8 @@
 #define interlume_StageContext_h
 
 #include "Advection/AdvectionOptions.h"
+#include "Streams/FlowReport.h"
 #include "Streams/Streamlines.h"
-
-#include "vtkFlowReport.h"
 
 namespace interlume
 {
@@ -23,7 +22,7 @@ struct StageContext
 {
   Streamlines& Field;
   const AdvectionOptions& Options;
-  vtkFlowReport& Report;
+  FlowReport& Report;
   /// The diagonal of the bounds of the field.
   double FieldLength;
   /// The progress of the execution after the last stage.

@@ -1,33 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef vtkFlowVolumeReport_h
-#define vtkFlowVolumeReport_h
+#ifndef interlume_FlowVolumeReport_h
+#define interlume_FlowVolumeReport_h
 
-#include "InterlumeFlowModule.h" // for the export macro
-#include "vtkIndent.h"
-#include "vtkType.h"
+#include "Common/ReportValue.h"
 
-#include <ostream>
+namespace interlume
+{
 
 /**
- * @class   vtkFlowVolumeReport
- * @brief   what an execution of vtkFlowVolume left out and why, and what it did
- *
- * @sa vtkFlowVolume
+ * @class   FlowVolumeReport
+ * @brief   holds the values of the report of vtkFlowVolume
  */
-struct INTERLUMEFLOW_EXPORT vtkFlowVolumeReport
+struct FlowVolumeReport
 {
   /// The number of cells of the input.
   vtkIdType Cells = 0;
-  /// The numbers of cells with a corner that has no answer, with corners of different surfaces, and
+  /// The numbers of cells with a corner that has no result, with corners of different surfaces, and
   /// on a seam that the mapping does not continue over.
-  vtkIdType CellsWithoutAnswer = 0;
+  vtkIdType CellsWithoutResult = 0;
   vtkIdType CellsBetweenSurfaces = 0;
   vtkIdType CellsOnSeams = 0;
   /// The numbers of cells across their own termination surface, where time jumps, and of other
   /// cells in which time jumps by more than MaximumTimeJump.
   vtkIdType CellsAcrossSurfaces = 0;
   vtkIdType CellsWithTimeJumps = 0;
-  /// The number of cells without an answer, between surfaces or across one that were cut at the
+  /// The number of cells without a result, between surfaces or across one that were cut at the
   /// surface that passes through them.
   vtkIdType CellsCut = 0;
   /// The numbers of cells whose parameters were unwrapped, and of those among them whose corners no
@@ -46,7 +43,22 @@ struct INTERLUMEFLOW_EXPORT vtkFlowVolumeReport
   /// The number of ports that normals were computed for.
   int NormalPasses = 0;
 
-  void Print(std::ostream& os, vtkIndent indent) const;
+  void CopyTo(vtkInterlumeReport* report) const
+  {
+    ReportValue::Set(report,
+      { { "Cells", this->Cells }, { "CellsWithoutResult", this->CellsWithoutResult },
+        { "CellsBetweenSurfaces", this->CellsBetweenSurfaces },
+        { "CellsOnSeams", this->CellsOnSeams },
+        { "CellsAcrossSurfaces", this->CellsAcrossSurfaces },
+        { "CellsWithTimeJumps", this->CellsWithTimeJumps }, { "CellsCut", this->CellsCut },
+        { "CellsAcrossSeams", this->CellsAcrossSeams },
+        { "CellsAroundPoles", this->CellsAroundPoles }, { "PointsOnSeams", this->PointsOnSeams },
+        { "Preparations", this->Preparations }, { "InflowPasses", this->InflowPasses },
+        { "TimePasses", this->TimePasses }, { "SurfaceCuts", this->SurfaceCuts },
+        { "NormalPasses", this->NormalPasses } });
+  }
 };
+
+}
 
 #endif

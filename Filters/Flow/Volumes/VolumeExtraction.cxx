@@ -2,6 +2,7 @@
 #include "Volumes/VolumeExtraction.h"
 
 #include "Samples/ImplicitFlowArrays.h"
+#include "Volumes/FlowVolumeReport.h"
 #include "Volumes/ParameterSeams.h"
 #include "Volumes/SurfaceLevels.h"
 
@@ -93,7 +94,7 @@ VolumeExtraction::VolumeExtraction()
 
 VolumeExtraction::~VolumeExtraction() = default;
 
-bool VolumeExtraction::Prepare(const Request& request, vtkFlowVolumeReport& report)
+bool VolumeExtraction::Prepare(const Request& request, FlowVolumeReport& report)
 {
   vtkDataSet* input = request.Input;
   const bool isKnown = this->PreparedInput == input && this->PreparedTime == input->GetMTime() &&
@@ -139,7 +140,7 @@ bool VolumeExtraction::Prepare(const Request& request, vtkFlowVolumeReport& repo
     report.Preparations = 1;
   }
   report.Cells = this->Cells.GetNumberOfCells();
-  report.CellsWithoutAnswer = this->Cells.Count(InterpolableCells::WITHOUT_ANSWER);
+  report.CellsWithoutResult = this->Cells.Count(InterpolableCells::WITHOUT_ANSWER);
   report.CellsBetweenSurfaces = this->Cells.Count(InterpolableCells::BETWEEN_SURFACES);
   report.CellsOnSeams = this->Cells.Count(InterpolableCells::ON_SEAM);
   report.CellsAcrossSurfaces = this->Cells.Count(InterpolableCells::ACROSS_SURFACE);
@@ -205,13 +206,13 @@ void VolumeExtraction::TakeTriangles(
   triangles.Take(result.Boundary, levels);
   triangles.Append(result.CutTriangles);
   // Only values equal to a bound leave loose triangles, and cutting drops them anyway.
-  if (isFinal && result.Filter->GetReport().CollapsedSimplices > 0)
+  if (isFinal && result.Filter->GetReport()->GetNumber("CollapsedSimplices") > 0)
   {
     triangles.RemoveLoose(result.Mesh);
   }
 }
 
-bool VolumeExtraction::Execute(const Request& request, vtkFlowVolumeReport& report)
+bool VolumeExtraction::Execute(const Request& request, FlowVolumeReport& report)
 {
   if (!this->Prepare(request, report))
   {

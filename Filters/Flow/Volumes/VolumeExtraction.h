@@ -6,7 +6,6 @@
 #include "Volumes/SurfaceCuts.h"
 #include "Volumes/SurfaceTriangles.h"
 
-#include "vtkFlowVolumeReport.h"
 #include "vtkFlowVolumeSettings.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
@@ -21,6 +20,7 @@ namespace interlume
 
 class ImplicitFlowArrays;
 class SurfaceLevels;
+struct FlowVolumeReport;
 
 /**
  * @class   VolumeExtraction
@@ -54,7 +54,7 @@ public:
   ~VolumeExtraction();
 
   /// False when the owner was aborted.
-  bool Execute(const Request& request, vtkFlowVolumeReport& report);
+  bool Execute(const Request& request, FlowVolumeReport& report);
 
   ///@{
   /**
@@ -85,7 +85,7 @@ private:
     vtkIdType PointsOnSeams = 0;
   };
 
-  bool Prepare(const Request& request, vtkFlowVolumeReport& report);
+  bool Prepare(const Request& request, FlowVolumeReport& report);
   /// One extraction; the progress of the owner goes from \a start to \a end. \a isFirst: it is
   /// that of the input's cells, with parameters to unwrap and cells to cut.
   bool Run(const Request& request, Result& result, vtkDataSet* input, const SurfaceLevels& levels,

@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkExtractionReport.h"
+#include "Output/ExtractionReport.h"
 
-#include "Common/NamedValue.h"
+#include "Common/ReportValue.h"
 
 #include <algorithm>
 #include <numeric>
-#include <ostream>
 
-double vtkExtractionReport::GetBalance() const
+namespace interlume
 {
-  const std::vector<vtkIdType>& cells = this->CellsOfRanks;
+
+double ExtractionReport::GetBalance() const
+{
+  const std::vector<vtkIdType>& cells = this->CellsPerProcess;
   const double sum = std::accumulate(cells.begin(), cells.end(), 0.0);
   return sum > 0.0 ? static_cast<double>(*std::max_element(cells.begin(), cells.end())) *
       static_cast<double>(cells.size()) / sum
                    : 0.0;
 }
 
-void vtkExtractionReport::Add(const vtkExtractionReport& other)
+void ExtractionReport::Add(const ExtractionReport& other)
 {
   this->Cells += other.Cells;
   this->CellsVisited += other.CellsVisited;
@@ -32,8 +34,8 @@ void vtkExtractionReport::Add(const vtkExtractionReport& other)
   this->CoveredCells += other.CoveredCells;
   this->LevelFaces += other.LevelFaces;
   this->CollapsedSimplices += other.CollapsedSimplices;
-  this->WholeCells += other.WholeCells;
-  this->WarpedFaces += other.WarpedFaces;
+  this->InteriorCells += other.InteriorCells;
+  this->NonPlanarFaces += other.NonPlanarFaces;
   this->ArraysInterpolated = std::max(this->ArraysInterpolated, other.ArraysInterpolated);
   this->ArraysCopied = std::max(this->ArraysCopied, other.ArraysCopied);
   this->Passes = std::max(this->Passes, other.Passes);
@@ -42,9 +44,9 @@ void vtkExtractionReport::Add(const vtkExtractionReport& other)
   this->IdleBytes = std::max(this->IdleBytes, other.IdleBytes);
 }
 
-void vtkExtractionReport::Print(ostream& os, vtkIndent indent) const
+void ExtractionReport::CopyTo(vtkInterlumeReport* report) const
 {
-  interlume::NamedValue::Print(os, indent,
+  ReportValue::Set(report,
     { { "Cells", this->Cells }, { "CellsVisited", this->CellsVisited },
       { "CellsByBits", this->CellsByBits }, { "CellsWithOutput", this->CellsWithOutput },
       { "LowerDimensionalCells", this->LowerDimensionalCells },
@@ -52,18 +54,12 @@ void vtkExtractionReport::Print(ostream& os, vtkIndent indent) const
       { "LinearizedCells", this->LinearizedCells }, { "ConcavePolyhedra", this->ConcavePolyhedra },
       { "UnsupportedCells", this->UnsupportedCells }, { "FoldedCells", this->FoldedCells },
       { "CoveredCells", this->CoveredCells }, { "LevelFaces", this->LevelFaces },
-      { "CollapsedSimplices", this->CollapsedSimplices }, { "WholeCells", this->WholeCells },
-      { "WarpedFaces", this->WarpedFaces }, { "ArraysInterpolated", this->ArraysInterpolated },
-      { "ArraysCopied", this->ArraysCopied }, { "Passes", this->Passes },
-      { "WorkingBytes", this->WorkingBytes }, { "ReusedBytes", this->ReusedBytes },
-      { "IdleBytes", this->IdleBytes } });
-  for (std::size_t rank = 0; rank < this->CellsOfRanks.size(); ++rank)
-  {
-    os << indent << "CellsWithOutput of process " << rank << ": " << this->CellsOfRanks[rank]
-       << "\n";
-  }
-  if (!this->CellsOfRanks.empty())
-  {
-    os << indent << "Balance: " << this->GetBalance() << "\n";
-  }
+      { "CollapsedSimplices", this->CollapsedSimplices }, { "InteriorCells", this->InteriorCells },
+      { "NonPlanarFaces", this->NonPlanarFaces },
+      { "ArraysInterpolated", this->ArraysInterpolated }, { "ArraysCopied", this->ArraysCopied },
+      { "Passes", this->Passes }, { "WorkingBytes", this->WorkingBytes },
+      { "ReusedBytes", this->ReusedBytes }, { "IdleBytes", this->IdleBytes },
+      { "CellsPerProcess", this->CellsPerProcess }, { "Balance", this->GetBalance() } });
+}
+
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Output/ProcessBalance.h"
 
-#include "vtkExtractionReport.h"
+#include "Output/ExtractionReport.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
@@ -18,7 +18,7 @@
 namespace interlume
 {
 
-void ProcessBalance::Gather(vtkAlgorithm* filter, vtkExtractionReport& report)
+void ProcessBalance::Gather(vtkAlgorithm* filter, ExtractionReport& report)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
@@ -29,8 +29,8 @@ void ProcessBalance::Gather(vtkAlgorithm* filter, vtkExtractionReport& report)
   {
     return;
   }
-  report.CellsOfRanks.resize(static_cast<std::size_t>(controller->GetNumberOfProcesses()));
-  controller->AllGather(&report.CellsWithOutput, report.CellsOfRanks.data(), 1);
+  report.CellsPerProcess.resize(static_cast<std::size_t>(controller->GetNumberOfProcesses()));
+  controller->AllGather(&report.CellsWithOutput, report.CellsPerProcess.data(), 1);
   vtkDataObject* output = filter->GetOutputDataObject(0);
   if (!output)
   {
@@ -38,8 +38,8 @@ void ProcessBalance::Gather(vtkAlgorithm* filter, vtkExtractionReport& report)
   }
   vtkNew<vtkIdTypeArray> cells;
   cells->SetName("CellsOfProcesses");
-  cells->SetNumberOfValues(static_cast<vtkIdType>(report.CellsOfRanks.size()));
-  std::copy(report.CellsOfRanks.begin(), report.CellsOfRanks.end(), cells->GetPointer(0));
+  cells->SetNumberOfValues(static_cast<vtkIdType>(report.CellsPerProcess.size()));
+  std::copy(report.CellsPerProcess.begin(), report.CellsPerProcess.end(), cells->GetPointer(0));
   output->GetFieldData()->AddArray(cells);
   vtkNew<vtkDoubleArray> balance;
   balance->SetName("LoadBalance");

@@ -3,10 +3,11 @@
 #define interlume_ProcessBalance_h
 
 class vtkAlgorithm;
-struct vtkExtractionReport;
 
 namespace interlume
 {
+
+struct ExtractionReport;
 
 /**
  * @class   ProcessBalance
@@ -20,7 +21,7 @@ public:
    * the field data of the filter's first output. Collective where the filter was asked for the
    * piece of this process among as many pieces as there are processes; else nothing is done.
    */
-  static void Gather(vtkAlgorithm* filter, vtkExtractionReport& report);
+  static void Gather(vtkAlgorithm* filter, ExtractionReport& report);
 };
 
 }

@@ -2,6 +2,7 @@
 #ifndef interlume_ExtractionContext_h
 #define interlume_ExtractionContext_h
 
+#include "Output/ExtractionReport.h"
 #include "Common/Batches.h"
 #include "Common/Blanking.h"
 #include "Output/ExtractionBuffer.h"
@@ -14,7 +15,6 @@
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkExtractionReport.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkSMPTools.h"
@@ -185,7 +185,7 @@ struct ExtractionContext : Blanking
   bool KeepOrientation = false;
   /// Whether cells of other pieces are extracted too, see GhostCells.
   bool TakeDuplicates = false;
-  vtkExtractionReport* Report = nullptr;
+  ExtractionReport* Report = nullptr;
 
   /// Returns whether a cell is left out.
   bool IsCellLeftOut(vtkIdType cell) const

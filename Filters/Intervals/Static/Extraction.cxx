@@ -115,7 +115,7 @@ bool Extraction::ExtractMesh(ExtractionContext& context, ExtractionMesh& mesh, P
 }
 
 bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructuredGrid* output,
-  vtkUnstructuredGrid* boundary, vtkExtractionReport& report)
+  vtkUnstructuredGrid* boundary, ExtractionReport& report)
 {
   ExtractionContext context;
   context.Owner = this->Owner;
@@ -202,8 +202,9 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   }
   if (this->Whole)
   {
-    report.WholeCells = mesh.Simplices.GetNumberOfWhole();
-    report.WarpedFaces = isFurther ? 0 : WholeFaces::CountWarped(context, mesh, arrays.GetPoints());
+    report.InteriorCells = mesh.Simplices.GetNumberOfWhole();
+    report.NonPlanarFaces =
+      isFurther ? 0 : WholeFaces::CountWarped(context, mesh, arrays.GetPoints());
     this->Whole->First = mesh.Simplices.GetNumber();
     this->Whole->Points = {};
     this->Whole->TriangleWholes = std::move(mesh.TriangleWholes);

@@ -45,7 +45,7 @@ public:
   /// Runs the pass. \a boundary may be null. Returns false when the user aborted; then the outputs
   /// are empty.
   bool Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructuredGrid* output,
-    vtkUnstructuredGrid* boundary, vtkExtractionReport& report);
+    vtkUnstructuredGrid* boundary, ExtractionReport& report);
 
 private:
   bool ExtractMesh(ExtractionContext& context, ExtractionMesh& mesh, PointArrays& arrays);

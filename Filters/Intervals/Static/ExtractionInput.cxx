@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Static/ExtractionInput.h"
 
+#include "Output/ExtractionReport.h"
 #include "Arrays/ExtractionArrays.h"
 #include "Common/ArrayCheck.h"
 #include "Common/AxisCheck.h"
@@ -15,7 +16,6 @@
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
-#include "vtkExtractionReport.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
@@ -200,7 +200,7 @@ std::string ExtractionInput::CheckFolding(vtkDataSet* input, vtkIdType numberOfF
 }
 
 std::vector<std::string> ExtractionInput::GetWarnings(
-  vtkDataSet* input, int precision, const vtkExtractionReport& report)
+  vtkDataSet* input, int precision, const ExtractionReport& report)
 {
   std::vector<std::string> warnings;
   if (report.LinearizedCells > 0)

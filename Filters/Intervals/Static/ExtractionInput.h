@@ -13,10 +13,11 @@
 class vtkAbstractArray;
 class vtkAlgorithm;
 class vtkDataSet;
-struct vtkExtractionReport;
 
 namespace interlume
 {
+
+struct ExtractionReport;
 
 /**
  * @class   ExtractionInput
@@ -54,7 +55,7 @@ public:
   /// Returns what an extraction of that \a report is to warn of, each in words: what is left
   /// out or taken as something else, and the two above.
   static std::vector<std::string> GetWarnings(
-    vtkDataSet* input, int precision, const vtkExtractionReport& report);
+    vtkDataSet* input, int precision, const ExtractionReport& report);
 
   /// Describes the array that input 0 of \a owner is set to process.
   static std::string DescribeArrayToProcess(vtkAlgorithm* owner);

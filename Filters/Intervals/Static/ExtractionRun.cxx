@@ -7,20 +7,16 @@
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkExtractionReport.h"
 
 #include <utility>
 
 namespace interlume
 {
 
-ExtractionRun::ExtractionRun(
-  vtkAlgorithm* owner, ArrayFinder findArray, vtkExtractionReport& report)
+ExtractionRun::ExtractionRun(vtkAlgorithm* owner, ArrayFinder findArray)
   : Owner(owner)
   , FindArray(std::move(findArray))
-  , Report(report)
 {
-  report = vtkExtractionReport();
 }
 
 vtkDataArray* ExtractionRun::FindScalars(vtkDataSet* input, const std::function<Error()>& findError)
@@ -38,7 +34,7 @@ vtkDataArray* ExtractionRun::FindScalars(vtkDataSet* input, const std::function<
   return vtkDataArray::SafeDownCast(array);
 }
 
-void ExtractionRun::Add(vtkDataSet* input, int precision, const vtkExtractionReport& report)
+void ExtractionRun::Add(vtkDataSet* input, int precision, const ExtractionReport& report)
 {
   this->Report.Add(report);
   for (const std::string& warning : ExtractionInput::GetWarnings(input, precision, report))
@@ -47,7 +43,8 @@ void ExtractionRun::Add(vtkDataSet* input, int precision, const vtkExtractionRep
   }
 }
 
-void ExtractionRun::Finish(const Goal& goal, bool gathersBalance, bool warnsIfEmpty)
+void ExtractionRun::Finish(
+  const Goal& goal, bool gathersBalance, bool warnsIfEmpty, vtkInterlumeReport* report)
 {
   RefinementLevels::Count(
     this->Owner->GetInputDataObject(0, 0), goal.Intervals, this->FindArray, this->Report);
@@ -59,6 +56,7 @@ void ExtractionRun::Finish(const Goal& goal, bool gathersBalance, bool warnsIfEm
   {
     ProcessBalance::Gather(this->Owner, this->Report);
   }
+  this->Report.CopyTo(report);
   const std::string why = this->Empty.Explain(this->Owner, goal.Unset, goal.Sought);
   if (warnsIfEmpty && !why.empty())
   {

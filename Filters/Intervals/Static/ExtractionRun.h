@@ -3,6 +3,7 @@
 #define interlume_ExtractionRun_h
 
 #include "Common/Error.h"
+#include "Output/ExtractionReport.h"
 #include "Static/EmptyResult.h"
 #include "Static/RefinementLevels.h"
 
@@ -13,7 +14,6 @@
 class vtkAlgorithm;
 class vtkDataArray;
 class vtkDataSet;
-struct vtkExtractionReport;
 
 namespace interlume
 {
@@ -28,15 +28,16 @@ namespace interlume
 class ExtractionRun
 {
 public:
-  /// Clears \a report, which must outlive the run.
-  ExtractionRun(vtkAlgorithm* owner, ArrayFinder findArray, vtkExtractionReport& report);
+  ExtractionRun(vtkAlgorithm* owner, ArrayFinder findArray);
 
   /// Returns the scalars of a dataset. Returns null after an error message if they or, by
   /// \a findError, the filter's parameters are invalid.
   vtkDataArray* FindScalars(vtkDataSet* input, const std::function<Error()>& findError);
 
   /// Adds the report of a dataset, and gives its warnings.
-  void Add(vtkDataSet* input, int precision, const vtkExtractionReport& report);
+  void Add(vtkDataSet* input, int precision, const ExtractionReport& report);
+
+  ExtractionReport& GetReport() { return this->Report; }
 
   EmptyResult& GetEmptyResult() { return this->Empty; }
 
@@ -51,13 +52,13 @@ public:
   };
 
   /// Ends the run: checks levels of refinement, gathers the load balance if \a gathersBalance is
-  /// true, and warns of an empty output if \a warnsIfEmpty is true.
-  void Finish(const Goal& goal, bool gathersBalance, bool warnsIfEmpty);
+  /// true, copies the report to \a report, and warns of an empty output if \a warnsIfEmpty is true.
+  void Finish(const Goal& goal, bool gathersBalance, bool warnsIfEmpty, vtkInterlumeReport* report);
 
 private:
   vtkAlgorithm* Owner;
   ArrayFinder FindArray;
-  vtkExtractionReport& Report;
+  ExtractionReport Report;
   EmptyResult Empty;
 };
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Static/RefinementLevels.h"
 
+#include "Output/ExtractionReport.h"
 #include "Common/ArrayCheck.h"
 #include "Common/Blanking.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
-#include "vtkExtractionReport.h"
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 
@@ -95,7 +95,7 @@ public:
 
   // Counts the marks of cells and faces that intervals meet.
   void Count(vtkDataArray* scalars, const std::vector<vtkIntervalList::Interval>& intervals,
-    vtkExtractionReport& report) const
+    ExtractionReport& report) const
   {
     for (std::size_t cell = 0; cell < this->Marks.size(); ++cell)
     {
@@ -229,7 +229,7 @@ std::vector<Block> FindBlocks(vtkCompositeDataSet* levels)
 
 void RefinementLevels::Count(vtkDataObject* input,
   const std::vector<vtkIntervalList::Interval>& intervals, const ArrayFinder& findArray,
-  vtkExtractionReport& report)
+  ExtractionReport& report)
 {
   vtkCompositeDataSet* levels = vtkCompositeDataSet::SafeDownCast(input);
   if (!levels || !(levels->IsA("vtkUniformGridAMR") || levels->IsA("vtkOverlappingAMR")))
@@ -255,7 +255,7 @@ void RefinementLevels::Count(vtkDataObject* input,
   }
 }
 
-std::vector<std::string> RefinementLevels::GetWarnings(const vtkExtractionReport& report)
+std::vector<std::string> RefinementLevels::GetWarnings(const ExtractionReport& report)
 {
   std::vector<std::string> warnings;
   if (report.CoveredCells > 0)

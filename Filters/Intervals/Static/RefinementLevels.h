@@ -11,10 +11,11 @@
 class vtkAbstractArray;
 class vtkDataObject;
 class vtkDataSet;
-struct vtkExtractionReport;
 
 namespace interlume
 {
+
+struct ExtractionReport;
 
 /// Returns the array of a dataset that a filter processes, and its association.
 using ArrayFinder = std::function<vtkAbstractArray*(vtkDataSet* input, int& association)>;
@@ -32,10 +33,10 @@ class RefinementLevels
 public:
   /// Adds the counts to \a report. An isosurface is an interval of zero width.
   static void Count(vtkDataObject* input, const std::vector<vtkIntervalList::Interval>& intervals,
-    const ArrayFinder& findArray, vtkExtractionReport& report);
+    const ArrayFinder& findArray, ExtractionReport& report);
 
   /// Returns warnings for the counts.
-  static std::vector<std::string> GetWarnings(const vtkExtractionReport& report);
+  static std::vector<std::string> GetWarnings(const ExtractionReport& report);
 };
 
 }

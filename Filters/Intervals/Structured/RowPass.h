@@ -2,6 +2,7 @@
 #ifndef interlume_RowPass_h
 #define interlume_RowPass_h
 
+#include "Output/ExtractionReport.h"
 #include "Arrays/PointArrays.h"
 #include "Cuts/TiedCases.h"
 #include "Grid/RowIndex.h"
@@ -9,7 +10,6 @@
 #include "Structured/RowCount.h"
 #include "Structured/SlotPlace.h"
 
-#include "vtkExtractionReport.h"
 #include "vtkIsotable.h"
 #include "vtkSMPTools.h"
 
@@ -29,7 +29,7 @@ struct RowNotes
   interlume::TiedCases TiedCases;
   std::vector<vtkIdType> TiedTriangles;
   std::vector<vtkIdType> TiedSimplices;
-  vtkExtractionReport Report;
+  ExtractionReport Report;
 };
 
 /**

@@ -155,7 +155,7 @@ public:
     this->Settings.TakeDuplicates = true;
     for (RowBuffers& local : this->Locals)
     {
-      local.Report = vtkExtractionReport();
+      local.Report = ExtractionReport();
     }
     const vtkIdType rows = this->Rows.GetNumberOfRows();
     this->Offsets.assign(rows + 1, RowCount());

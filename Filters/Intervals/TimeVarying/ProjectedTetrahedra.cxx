@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TimeVarying/ProjectedTetrahedra.h"
 
+#include "TimeVarying/TimeVaryingReport.h"
 #include "Arrays/ExtractionArrays.h"
 #include "TimeVarying/OutputCellArrays.h"
 
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
-#include "vtkTimeVaryingReport.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -118,7 +118,7 @@ ProjectedTetrahedra::ProjectedTetrahedra(
 
 ProjectedTetrahedra::~ProjectedTetrahedra() = default;
 
-bool ProjectedTetrahedra::Fill(vtkTimeVaryingReport& report)
+bool ProjectedTetrahedra::Fill(TimeVaryingReport& report)
 {
   this->MakeBlocks();
   this->AllocatePoints();
@@ -313,7 +313,7 @@ void ProjectedTetrahedra::WritePoints(const Batch& batch, Value* values) const
 }
 
 // Turns the size of a block into the places where it begins.
-void ProjectedTetrahedra::Place(Block& block, vtkTimeVaryingReport& report)
+void ProjectedTetrahedra::Place(Block& block, TimeVaryingReport& report)
 {
   report.FlatSimplices += block.Last - block.First - block.ThickPoints;
   report.InvertedSimplices += block.Inverted;

@@ -16,10 +16,11 @@
 #include <vector>
 
 class vtkUnstructuredGrid;
-struct vtkTimeVaryingReport;
 
 namespace interlume
 {
+
+struct TimeVaryingReport;
 
 /**
  * @class   ProjectedTetrahedra
@@ -39,7 +40,7 @@ public:
 
   /// Fills the output. Returns false when the user aborted. The counts of what is made are added to
   /// the report.
-  bool Fill(vtkTimeVaryingReport& report);
+  bool Fill(TimeVaryingReport& report);
 
 private:
   using Simplex = TimeVaryingMesh::Simplex;
@@ -60,7 +61,7 @@ private:
   void ProjectBlock(Block& block);
   template <typename Value>
   void WritePoints(const Batch& batch, Value* values) const;
-  void Place(Block& block, vtkTimeVaryingReport& report);
+  void Place(Block& block, TimeVaryingReport& report);
   void LeaveOutFlat();
   void AllocateTetrahedra();
   void WriteBlock(const Block& block);

@@ -2,6 +2,7 @@
 #ifndef interlume_TimeVaryingCells_h
 #define interlume_TimeVaryingCells_h
 
+#include "Output/ExtractionReport.h"
 #include "Cuts/SlotTables.h"
 #include "Grid/CellOrientation.h"
 #include "Grid/CornerOrder.h"
@@ -14,7 +15,6 @@
 #include "Unstructured/PointMarks.h"
 #include "Unstructured/UnstructuredCells.h"
 
-#include "vtkExtractionReport.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
@@ -105,8 +105,8 @@ public:
   std::size_t GetMarkBytes() const { return 0; }
 
   /// Appends the cells first ... last - 1 that are near an item.
-  void FindNear(vtkIdType first, vtkIdType last, std::vector<vtkIdType>& near,
-    vtkExtractionReport& report) const
+  void FindNear(
+    vtkIdType first, vtkIdType last, std::vector<vtkIdType>& near, ExtractionReport& report) const
   {
     constexpr vtkIdType most = 512;
     Code least[most + 1];
@@ -152,7 +152,7 @@ private:
   }
 
   void Sort(vtkIdType id, bool isNear, bool isNonFinite, std::vector<vtkIdType>& near,
-    vtkExtractionReport& report) const
+    ExtractionReport& report) const
   {
     TimeVaryingCell cell;
     if (this->HasBlanking())
@@ -227,8 +227,8 @@ public:
     }
   }
 
-  void FindNear(vtkIdType first, vtkIdType last, std::vector<vtkIdType>& near,
-    vtkExtractionReport& report) const
+  void FindNear(
+    vtkIdType first, vtkIdType last, std::vector<vtkIdType>& near, ExtractionReport& report) const
   {
     if (this->Cells.IsUniform() && !this->HasBlanking())
     {
@@ -262,7 +262,7 @@ private:
     this->Cells.GetIds(id, corners, cell.Ids);
   }
 
-  bool IsNear(vtkIdType id, vtkExtractionReport& report) const
+  bool IsNear(vtkIdType id, ExtractionReport& report) const
   {
     const CellCorners& corners = this->Cells.GetCorners(id);
     vtkIdType* reason = nullptr;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TimeVarying/TimeVaryingExtraction.h"
 
+#include "TimeVarying/TimeVaryingReport.h"
 #include "Pass/ExtractionFrame.h"
 #include "Scalars/ExtractionScalars.h"
 #include "SpaceTime/SpaceTimeTable.h"
@@ -14,7 +15,6 @@
 #include "Unstructured/CrossingLists.h"
 
 #include "vtkPointData.h"
-#include "vtkTimeVaryingReport.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -61,7 +61,7 @@ struct Chunk
   std::vector<vtkIdType> Tied;
   vtkIdType Simplices = 0;
   bool HasDuplicates = false;
-  vtkExtractionReport Report;
+  ExtractionReport Report;
 };
 
 // A case as it is cut in a cell whose corners are not in ascending order, or of which two slots are
@@ -357,7 +357,7 @@ public:
   static constexpr std::array<double, 4> Progress = { { 0.2, 0.6, 0.6, 1.0 } };
 
   SlabPass(const ExtractionContext& context, const TimeStep& first, const TimeStep& second,
-    Cells& cells, const CornerOrder& order, TimeVaryingMesh& mesh, vtkTimeVaryingReport& report)
+    Cells& cells, const CornerOrder& order, TimeVaryingMesh& mesh, TimeVaryingReport& report)
     : Frame(context)
     , Steps{ &first, &second }
     , TheCells(cells)
@@ -542,7 +542,7 @@ private:
       for (const auto& reader : local.Readers)
       {
         this->Report.TableLookups += reader ? reader->GetNumberOfLookups() : 0;
-        this->Report.TableCasesMade += reader ? reader->GetNumberOfCasesMade() : 0;
+        this->Report.TableCasesComputed += reader ? reader->GetNumberOfCasesMade() : 0;
       }
     }
     bytes += this->TheCells.GetMarkBytes() + this->Points.GetBytes() + this->Ids.GetBytes() +
@@ -560,7 +560,7 @@ private:
   SlabCutter Cutter;
   SlabWriter Writer;
   TimeVaryingMesh& Mesh;
-  vtkTimeVaryingReport& Report;
+  TimeVaryingReport& Report;
   vtkIdType NumberOfPoints;
   vtkIdType NumberOfCells;
   bool HasBoundary;
@@ -572,7 +572,7 @@ private:
 
 template <typename Cells>
 bool Extract(const ExtractionContext& context, const TimeStep& first, const TimeStep& second,
-  Cells& cells, const CornerOrder& order, TimeVaryingMesh& mesh, vtkTimeVaryingReport& report)
+  Cells& cells, const CornerOrder& order, TimeVaryingMesh& mesh, TimeVaryingReport& report)
 {
   SlabPass<Cells> pass(context, first, second, cells, order, mesh, report);
   return pass.Execute(pass.GetNumberOfParts());
@@ -580,7 +580,7 @@ bool Extract(const ExtractionContext& context, const TimeStep& first, const Time
 }
 
 bool TimeVaryingExtraction::Execute(const ExtractionContext& context, const TimeStep& first,
-  const TimeStep& second, TimeVaryingMesh& mesh, vtkTimeVaryingReport& report)
+  const TimeStep& second, TimeVaryingMesh& mesh, TimeVaryingReport& report)
 {
   if (const int* dimensions = first.GetDimensions())
   {

@@ -2,10 +2,10 @@
 #ifndef interlume_TimeVaryingExtraction_h
 #define interlume_TimeVaryingExtraction_h
 
-struct vtkTimeVaryingReport;
-
 namespace interlume
 {
+
+struct TimeVaryingReport;
 
 class TimeStep;
 class TimeVaryingMesh;
@@ -25,7 +25,7 @@ class TimeVaryingExtraction
 public:
   /// Adds the 4-simplices to \a mesh. Returns false when the user aborted.
   static bool Execute(const ExtractionContext& context, const TimeStep& first,
-    const TimeStep& second, TimeVaryingMesh& mesh, vtkTimeVaryingReport& report);
+    const TimeStep& second, TimeVaryingMesh& mesh, TimeVaryingReport& report);
 };
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TimeVarying/TimeVaryingOutput.h"
 
+#include "TimeVarying/TimeVaryingReport.h"
 #include "TimeVarying/OutputCellArrays.h"
 #include "TimeVarying/ProjectedTetrahedra.h"
 #include "TimeVarying/TimeVaryingMesh.h"
@@ -9,7 +10,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkPoints.h"
-#include "vtkTimeVaryingReport.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -37,13 +37,13 @@ void ShareArrays(const TimeVaryingMesh& mesh, vtkUnstructuredGrid* output)
 }
 
 bool TimeVaryingOutput::FillTetrahedra(const ExtractionContext& context,
-  const TimeVaryingMesh& mesh, vtkUnstructuredGrid* output, vtkTimeVaryingReport& report)
+  const TimeVaryingMesh& mesh, vtkUnstructuredGrid* output, TimeVaryingReport& report)
 {
   return !mesh.GetPoints() || ProjectedTetrahedra(context, mesh, output).Fill(report);
 }
 
 void TimeVaryingOutput::FillBoundary(
-  const TimeVaryingMesh& mesh, vtkUnstructuredGrid* output, vtkTimeVaryingReport& report)
+  const TimeVaryingMesh& mesh, vtkUnstructuredGrid* output, TimeVaryingReport& report)
 {
   if (!mesh.GetPoints())
   {

@@ -3,10 +3,11 @@
 #define interlume_TimeVaryingOutput_h
 
 class vtkUnstructuredGrid;
-struct vtkTimeVaryingReport;
 
 namespace interlume
 {
+
+struct TimeVaryingReport;
 
 class TimeVaryingMesh;
 struct ExtractionContext;
@@ -23,10 +24,10 @@ public:
   /// Makes the tetrahedra of all projections, with the points of the mesh and one thick point for
   /// each 4-simplex after them. Returns false when the user aborted.
   static bool FillTetrahedra(const ExtractionContext& context, const TimeVaryingMesh& mesh,
-    vtkUnstructuredGrid* output, vtkTimeVaryingReport& report);
+    vtkUnstructuredGrid* output, TimeVaryingReport& report);
   /// Makes the boundary, with the points of the mesh.
   static void FillBoundary(
-    const TimeVaryingMesh& mesh, vtkUnstructuredGrid* output, vtkTimeVaryingReport& report);
+    const TimeVaryingMesh& mesh, vtkUnstructuredGrid* output, TimeVaryingReport& report);
   /// Makes the 4-simplices, with the points of the mesh.
   static void FillSimplices(const TimeVaryingMesh& mesh, vtkUnstructuredGrid* output);
 };

@@ -1,32 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkTimeVaryingReport.h"
+#include "TimeVarying/TimeVaryingReport.h"
 
-#include "Common/NamedValue.h"
+#include "Common/ReportValue.h"
 
-#include <ostream>
-
-namespace
+namespace interlume
 {
-template <typename List>
-void PrintList(ostream& os, vtkIndent indent, const char* name, const List& list)
-{
-  os << indent << name << ":";
-  for (const vtkIdType number : list)
-  {
-    os << " " << number;
-  }
-  os << "\n";
-}
-}
 
-void vtkTimeVaryingReport::Print(ostream& os, vtkIndent indent) const
+void TimeVaryingReport::CopyTo(vtkInterlumeReport* report) const
 {
-  this->vtkExtractionReport::Print(os, indent);
-  interlume::NamedValue::Print(os, indent,
+  this->ExtractionReport::CopyTo(report);
+  ReportValue::Add(report,
     { { "TimeSteps", this->TimeSteps }, { "Slabs", this->Slabs }, { "Simplices", this->Simplices },
-      { "FlatSimplices", this->FlatSimplices }, { "InvertedSimplices", this->InvertedSimplices } });
-  PrintList(os, indent, "Tetrahedra", this->Tetrahedra);
-  PrintList(os, indent, "Boundaries", this->Boundaries);
-  interlume::NamedValue::Print(os, indent,
-    { { "TableLookups", this->TableLookups }, { "TableCasesMade", this->TableCasesMade } });
+      { "FlatSimplices", this->FlatSimplices }, { "InvertedSimplices", this->InvertedSimplices },
+      { "Tetrahedra", this->Tetrahedra }, { "Boundaries", this->Boundaries },
+      { "TableLookups", this->TableLookups }, { "TableCasesComputed", this->TableCasesComputed } });
+}
+
 }

@@ -11,7 +11,6 @@
 #include "vtkAlgorithm.h"
 #include "vtkDataObjectTree.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkTimeVaryingReport.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -28,7 +27,7 @@ constexpr double ExtractionShare = 0.7;
 
 TimeVaryingRun::TimeVaryingRun(vtkAlgorithm* owner, const ArrayFinder& findArray,
   const std::vector<vtkIntervalList::Interval>& intervals, const TimeVaryingOptions& options,
-  int firstStep, const std::vector<double>& times, vtkTimeVaryingReport& report)
+  int firstStep, const std::vector<double>& times)
   : Owner(owner)
   , FindArray(findArray)
   , Intervals(intervals)
@@ -36,7 +35,6 @@ TimeVaryingRun::TimeVaryingRun(vtkAlgorithm* owner, const ArrayFinder& findArray
   , Options(options)
   , FirstStep(firstStep)
   , Times(times)
-  , Report(report)
 {
 }
 

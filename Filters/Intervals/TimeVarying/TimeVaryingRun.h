@@ -7,6 +7,7 @@
 #include "Static/RefinementLevels.h"
 #include "TimeVarying/TimeStep.h"
 #include "TimeVarying/TimeVaryingMesh.h"
+#include "TimeVarying/TimeVaryingReport.h"
 
 #include "vtkSmartPointer.h"
 
@@ -16,7 +17,6 @@
 
 class vtkAlgorithm;
 class vtkDataObject;
-struct vtkTimeVaryingReport;
 
 namespace interlume
 {
@@ -44,7 +44,7 @@ public:
   /// firstStep of the input.
   TimeVaryingRun(vtkAlgorithm* owner, const ArrayFinder& findArray,
     const std::vector<vtkIntervalList::Interval>& intervals, const TimeVaryingOptions& options,
-    int firstStep, const std::vector<double>& times, vtkTimeVaryingReport& report);
+    int firstStep, const std::vector<double>& times);
 
   bool IsFinished() const { return this->NextStep == static_cast<int>(this->Times.size()); }
   double GetNextTime() const { return this->Times[this->NextStep]; }
@@ -55,6 +55,8 @@ public:
   /// Fills unstructured grids or composite datasets of the input's structure. Returns false when
   /// the user aborted.
   bool FillOutputs(vtkDataObject* tetrahedra, vtkDataObject* boundary, vtkDataObject* simplices);
+
+  const TimeVaryingReport& GetReport() const { return this->Report; }
 
   /// Returns the warnings, each once.
   const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
@@ -95,7 +97,7 @@ private:
   TimeVaryingOptions Options;
   int FirstStep;
   std::vector<double> Times;
-  vtkTimeVaryingReport& Report;
+  TimeVaryingReport Report;
   int NextStep = 0;
   // The cells of the report's FoldedCells that are of rectilinear grids.
   vtkIdType FoldedInRows = 0;

@@ -73,7 +73,7 @@ public:
   /// Finds the cells begin ... end - 1 that are near an item, by their distance from \a begin.
   /// Cells from \a firstPassed on all are, and come first in each run. Returns their number.
   int FindNear(vtkIdType begin, vtkIdType end, vtkIdType firstPassed, std::uint16_t* near,
-    vtkExtractionReport& report) const
+    ExtractionReport& report) const
   {
     constexpr vtkIdType run = ExtractionIndex::RunLength;
     const ExtractionIndex* const index = this->Context.Index;
@@ -142,7 +142,7 @@ public:
   }
 
   /// Counts a cell with output, and whether it is folded.
-  void CountOutput(const Cell& cell, bool hasOutput, vtkExtractionReport& report) const
+  void CountOutput(const Cell& cell, bool hasOutput, ExtractionReport& report) const
   {
     report.CellsWithOutput += hasOutput;
     report.FoldedCells += hasOutput && !this->Context.KeepOrientation &&
@@ -151,7 +151,7 @@ public:
 
 private:
   void AppendNear(vtkIdType first, vtkIdType last, vtkIdType begin, vtkIdType firstPassed,
-    std::uint16_t* near, int& numberNear, vtkExtractionReport& report) const
+    std::uint16_t* near, int& numberNear, ExtractionReport& report) const
   {
     const vtkIdType passed = std::max(first, firstPassed);
     for (vtkIdType id = passed; id < last; ++id)
@@ -196,7 +196,7 @@ private:
 
   // Returns whether a cell is near an item and can give output; if it cannot, the reason is
   // counted.
-  bool Accept(vtkIdType id, vtkExtractionReport& report) const
+  bool Accept(vtkIdType id, ExtractionReport& report) const
   {
     const CellCorners& corners = this->Cells.GetCorners(id);
     if (!corners.HasTable())

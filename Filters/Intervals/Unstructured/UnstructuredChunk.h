@@ -2,12 +2,11 @@
 #ifndef interlume_UnstructuredChunk_h
 #define interlume_UnstructuredChunk_h
 
+#include "Output/ExtractionReport.h"
 #include "Arrays/PointArrays.h"
 #include "Pass/ExtractionIndex.h"
 #include "Unstructured/ChunkCuts.h"
 #include "Unstructured/CrossingLists.h"
-
-#include "vtkExtractionReport.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -46,7 +45,7 @@ struct UnstructuredChunk
   vtkIdType Interior = 0;
   vtkIdType InteriorIds = 0;
   ///@}
-  vtkExtractionReport Report;
+  ExtractionReport Report;
 
   /// Returns how many cells the output has of the chunk.
   vtkIdType GetOutput() const { return this->Simplices + this->Interior; }

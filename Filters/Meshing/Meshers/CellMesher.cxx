@@ -99,13 +99,13 @@ Error Meshers::MeshCells(MeshingJob& job)
     if (!CellShell::IsSupported(type))
     {
       vtkIdType& count =
-        MeshingJob::GetDimension(type) == 3 ? job.Report.UnsupportedCells : job.Report.CellsLeftOut;
+        MeshingJob::GetDimension(type) == 3 ? job.Report.UnsupportedCells : job.Report.SkippedCells;
       ++count;
       continue;
     }
     if (ghosts && (ghosts->GetValue(cell) & leftOut))
     {
-      ++job.Report.CellsLeftOut;
+      ++job.Report.SkippedCells;
       continue;
     }
     ++job.Report.Cells;

@@ -4,9 +4,9 @@
 
 #include "Mesh/Tetrahedra.h"
 #include "TetGen/TetGenProcess.h"
+#include "TetGen/TetrahedralMesherReport.h"
 
 #include "vtkMeshingSettings.h"
-#include "vtkTetrahedralMesherReport.h"
 
 #include <functional>
 #include <string>
@@ -36,7 +36,7 @@ struct MeshingJob : vtkMeshingSettings
   TetGenProcess TetGen;
 
   Tetrahedra Mesh;
-  vtkTetrahedralMesherReport Report;
+  TetrahedralMesherReport Report;
 
   /// Sets the unit of length in which TetGen gets the points, see Tetrahedra::UnitExponent, and
   /// converts the volume bound.

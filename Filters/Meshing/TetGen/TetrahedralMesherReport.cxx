@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkTetrahedralMesherReport.h"
+#include "TetGen/TetrahedralMesherReport.h"
 
-#include "Common/NamedValue.h"
+#include "Common/ReportValue.h"
 
-#include <ostream>
-
-void vtkTetrahedralMesherReport::Print(ostream& os, vtkIndent indent) const
+namespace interlume
 {
-  interlume::NamedValue::Print(os, indent,
+
+void TetrahedralMesherReport::CopyTo(vtkInterlumeReport* report) const
+{
+  ReportValue::Set(report,
     { { "Cells", this->Cells }, { "CellsByTetGen", this->CellsByTetGen },
-      { "CellsConed", this->CellsConed }, { "CellsLeftOut", this->CellsLeftOut },
+      { "CellsConed", this->CellsConed }, { "SkippedCells", this->SkippedCells },
       { "UnsupportedCells", this->UnsupportedCells },
       { "SurfaceTriangles", this->SurfaceTriangles }, { "SplitTriangles", this->SplitTriangles },
       { "MergedPoints", this->MergedPoints }, { "AddedPoints", this->AddedPoints },
@@ -19,4 +20,6 @@ void vtkTetrahedralMesherReport::Print(ostream& os, vtkIndent indent) const
       { "LargestRadiusEdgeRatio", this->LargestRadiusEdgeRatio },
       { "SmallestVolume", this->SmallestVolume }, { "LargestVolume", this->LargestVolume },
       { "TetGenCalls", this->TetGenCalls } });
+}
+
 }

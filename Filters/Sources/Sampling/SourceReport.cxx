@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkSourceReport.h"
+#include "Sampling/SourceReport.h"
 
-#include "Common/NamedValue.h"
+#include "Common/ReportValue.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
+
+namespace interlume
+{
 
 namespace
 {
@@ -16,9 +19,9 @@ vtkIdType GetBytes(vtkDataArray* array)
 }
 }
 
-vtkSourceReport vtkSourceReport::Of(vtkDataSet* output, vtkIdType evaluations, double time)
+SourceReport SourceReport::Of(vtkDataSet* output, vtkIdType evaluations, double time)
 {
-  vtkSourceReport report;
+  SourceReport report;
   report.Points = output->GetNumberOfPoints();
   report.Evaluations = evaluations;
   report.Time = time;
@@ -33,9 +36,11 @@ vtkSourceReport vtkSourceReport::Of(vtkDataSet* output, vtkIdType evaluations, d
   return report;
 }
 
-void vtkSourceReport::Print(std::ostream& os, vtkIndent indent) const
+void SourceReport::CopyTo(vtkInterlumeReport* report) const
 {
-  interlume::NamedValue::Print(os, indent,
+  ReportValue::Set(report,
     { { "Points", this->Points }, { "Evaluations", this->Evaluations }, { "Bytes", this->Bytes },
       { "Time", this->Time } });
+}
+
 }

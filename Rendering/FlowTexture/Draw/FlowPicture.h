@@ -6,6 +6,7 @@
 #include "Draw/FlowPaints.h"
 #include "Draw/FlowShader.h"
 #include "Draw/FlowView.h"
+#include "Draw/FlowVolumeRenderReport.h"
 #include "Grid/FlowGrid.h"
 
 #include <array>
@@ -16,7 +17,6 @@ class vtkImplicitFlowVolumeMapper;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
 class vtkVolume;
-struct vtkImplicitFlowVolumeReport;
 
 namespace interlume
 {
@@ -47,7 +47,7 @@ struct FlowPicture
   /// The mapper, whose settings are read, and its input.
   vtkImplicitFlowVolumeMapper& Mapper;
   vtkImageData* Image;
-  vtkImplicitFlowVolumeReport& Report;
+  FlowVolumeRenderReport& Report;
 
   std::array<int, 2> Size{};
   bool HasShadows = false;

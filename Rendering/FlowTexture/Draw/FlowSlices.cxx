@@ -18,6 +18,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace interlume
 {
@@ -108,19 +109,21 @@ Error FlowSlices::Draw(FlowPicture& picture, const FlowScene& scene, FlowTexture
   }
   this->Set();
   this->Mapper->Render(picture.Renderer, this->Volume);
-  const vtkShadowedSliceReport& drawn = this->Mapper->GetReport();
-  vtkImplicitFlowVolumeReport& report = picture.Report;
+  vtkInterlumeReport* drawn = this->Mapper->GetReport();
+  FlowVolumeRenderReport& report = picture.Report;
   const std::string own =
     FlowShader(picture.Mapper, picture.Parts, scene.Paints, scene.View).GetNames();
-  report.Features = drawn.Features + (own.empty() ? "" : " ") + own;
-  report.ImageBufferBytes = drawn.ImageBufferBytes;
-  report.ShadowedLights = drawn.ShadowedLights;
-  report.Slices = drawn.Slices;
-  report.Sweeps = drawn.Sweeps;
-  report.SliceSpacing = drawn.SliceSpacing;
-  report.LightBuffers = drawn.LightBuffers;
-  report.LightBufferSize = drawn.LightBufferSize;
-  report.LightBufferBytes = drawn.LightBufferBytes;
+  report.Features = drawn->GetText("Features") + (own.empty() ? "" : " ") + own;
+  const auto copy = [drawn](const char* name, auto& value)
+  { value = static_cast<std::decay_t<decltype(value)>>(drawn->GetNumber(name)); };
+  copy("ImageBufferBytes", report.ImageBufferBytes);
+  copy("ShadowedLights", report.ShadowedLights);
+  copy("Slices", report.Slices);
+  copy("Sweeps", report.Sweeps);
+  copy("SliceSpacing", report.SliceSpacing);
+  copy("LightBuffers", report.LightBuffers);
+  copy("LightBufferSize", report.LightBufferSize);
+  copy("LightBufferBytes", report.LightBufferBytes);
   return this->Reported;
 }
 

@@ -107,7 +107,7 @@ void KeepGrid(FlowPicture& picture, const FlowScene& scene, FlowTextures& textur
 void KeepPaints(FlowPicture& picture, FlowScene& scene, FlowTextures& textures)
 {
   vtkImplicitFlowVolumeMapper& mapper = picture.Mapper;
-  vtkImplicitFlowVolumeReport& report = picture.Report;
+  FlowVolumeRenderReport& report = picture.Report;
   PaintTexels texels;
   const auto keep = [&](const std::string& name, const std::string& title, vtkImageData* image,
                       int dimensions, bool isRepeated, int& count)
@@ -163,7 +163,7 @@ void KeepPaints(FlowPicture& picture, FlowScene& scene, FlowTextures& textures)
 
 void KeepArrays(FlowPicture& picture, const FlowScene& scene, FlowTextures& textures)
 {
-  vtkImplicitFlowVolumeReport& report = picture.Report;
+  FlowVolumeRenderReport& report = picture.Report;
   std::vector<float> values;
   const auto keepArray = [&](const char* name, vtkDataArray* array)
   {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkImplicitFlowVolumeReport.h"
+#include "Draw/FlowVolumeRenderReport.h"
 
-#include "Common/NamedValue.h"
+#include "Common/ReportValue.h"
 
-void vtkImplicitFlowVolumeReport::Print(ostream& os, vtkIndent indent) const
+namespace interlume
 {
-  interlume::NamedValue::Print(os, indent,
+
+void FlowVolumeRenderReport::CopyTo(vtkInterlumeReport* report) const
+{
+  ReportValue::Set(report,
     { { "Surfaces", this->Surfaces }, { "SurfacesWithoutTexture", this->SurfacesWithoutTexture },
       { "UniformCells", this->UniformCells }, { "SplitCells", this->SplitCells },
       { "EmptyCells", this->EmptyCells }, { "NonFiniteSamples", this->NonFiniteSamples },
@@ -20,4 +23,6 @@ void vtkImplicitFlowVolumeReport::Print(ostream& os, vtkIndent indent) const
       { "LightBuffers", this->LightBuffers }, { "LightBufferSize", this->LightBufferSize },
       { "LightBufferBytes", this->LightBufferBytes }, { "SampleDistance", this->SampleDistance },
       { "ImageSampleDistance", this->ImageSampleDistance }, { "Seconds", this->Seconds } });
+}
+
 }

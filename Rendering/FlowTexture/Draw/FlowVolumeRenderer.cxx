@@ -128,7 +128,7 @@ Error FlowVolumeRenderer::Update(FlowPicture& picture)
     return error;
   }
   vtkImplicitFlowVolumeMapper& mapper = picture.Mapper;
-  vtkImplicitFlowVolumeReport& report = picture.Report;
+  FlowVolumeRenderReport& report = picture.Report;
   this->Scene.Paints.Assign(mapper.GetInflowTextures(), this->Scene.Grid);
   // llvmpipe ends a shader's loops after 65,535 rounds of all of them.
   const double mostSamples = 60000.0 / (mapper.GetMaximumPaintSamples() + 5);
@@ -252,7 +252,7 @@ Error FlowVolumeRenderer::Draw(FlowPicture& picture, WindowResources& resources)
 }
 
 Error FlowVolumeRenderer::Render(vtkRenderer* renderer, vtkVolume* volume,
-  vtkImplicitFlowVolumeMapper& mapper, vtkImageData* image, vtkImplicitFlowVolumeReport& report)
+  vtkImplicitFlowVolumeMapper& mapper, vtkImageData* image, FlowVolumeRenderReport& report)
 {
   const double start = vtkTimerLog::GetUniversalTime();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());

@@ -5,8 +5,6 @@
 #include "Common/Error.h"
 #include "Draw/FlowPicture.h"
 
-#include "vtkImplicitFlowVolumeReport.h"
-
 #include <map>
 #include <memory>
 
@@ -32,7 +30,7 @@ public:
 
   /// Draws an image of \a image, as the mapper is set. Returns an error if nothing can be drawn.
   Error Render(vtkRenderer* renderer, vtkVolume* volume, vtkImplicitFlowVolumeMapper& mapper,
-    vtkImageData* image, vtkImplicitFlowVolumeReport& report);
+    vtkImageData* image, FlowVolumeRenderReport& report);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casters/SceneCasters.h"
 
+#include "Casters/SceneReport.h"
 #include "Space/ShaderUniforms.h"
 
 #include "InterlumeSceneCasters.h"
@@ -8,7 +9,6 @@
 #include "InterlumeSceneEmitters.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkShadowedSceneReport.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
@@ -44,9 +44,9 @@ bool SceneCasters::HasViews() const
 }
 
 Error SceneCasters::Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& props, int resolution,
-  double bias, vtkShadowedSceneReport& report)
+  double bias, SceneReport& report)
 {
-  report.Casters = static_cast<int>(props.size());
+  report.ShadowCasters = static_cast<int>(props.size());
   report.Lights =
     static_cast<int>(this->Views.GetLights().size() + this->Emitters.GetLights().size());
   report.AreaLights = static_cast<int>(this->Emitters.GetLights().size());

@@ -20,10 +20,11 @@ class vtkRenderer;
 class vtkShaderProgram;
 class vtkTextureObject;
 class vtkWindow;
-struct vtkShadowedSceneReport;
 
 namespace interlume
 {
+
+struct SceneReport;
 
 /**
  * @class   SceneCasters
@@ -49,7 +50,7 @@ public:
   /// Draws the maps. \a bias is the setting DepthBias of vtkShadowedScenePass. Returns an
   /// error if there is no memory for them.
   Error Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& props, int resolution, double bias,
-    vtkShadowedSceneReport& report);
+    SceneReport& report);
 
   /// The features and the source of a shader that calls what GetShare returns.
   std::string GetFeatures() const;

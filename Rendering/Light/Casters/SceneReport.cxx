@@ -1,27 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkShadowedSceneReport.h"
+#include "Casters/SceneReport.h"
 
-#include "Common/NamedValue.h"
+#include "Common/ReportValue.h"
 
-void vtkShadowedSceneReport::Print(ostream& os, vtkIndent indent) const
+namespace interlume
 {
-  interlume::NamedValue::Print(os, indent,
-    { { "Casters", this->Casters }, { "Lights", this->Lights }, { "Volumes", this->Volumes },
-      { "NotCasting", this->NotCasting }, { "NotReceiving", this->NotReceiving },
-      { "VolumesTogether", this->VolumesTogether }, { "VolumesApart", this->VolumesApart },
+
+void SceneReport::CopyTo(vtkInterlumeReport* report) const
+{
+  ReportValue::Set(report,
+    { { "ShadowCasters", this->ShadowCasters }, { "Lights", this->Lights },
+      { "Volumes", this->Volumes }, { "NonCastingActors", this->NonCastingActors },
+      { "NonReceivingActors", this->NonReceivingActors },
+      { "VolumesInSharedSlices", this->VolumesInSharedSlices },
+      { "SeparateVolumesReason", this->SeparateVolumesReason },
       { "ScatteringReceivers", this->ScatteringReceivers },
       { "ScatteringBlockedCells", this->ScatteringBlockedCells },
-      { "ScatteringVolumesApart", this->ScatteringVolumesApart }, { "Images", this->Images },
+      { "SeparateScatteringVolumes", this->SeparateScatteringVolumes }, { "Images", this->Images },
       { "DepthMaps", this->DepthMaps }, { "DepthMapsDrawn", this->DepthMapsDrawn },
       { "DepthMapResolution", this->DepthMapResolution }, { "AreaLights", this->AreaLights },
       { "SampleMaps", this->SampleMaps }, { "SampleMapsDrawn", this->SampleMapsDrawn },
       { "SampleMapResolution", this->SampleMapResolution },
-      { "EyeDepthPasses", this->EyeDepthPasses }, { "PixelsBefore", this->PixelsBefore },
-      { "PixelsWithin", this->PixelsWithin }, { "PixelsBehind", this->PixelsBehind },
+      { "CameraDepthPasses", this->CameraDepthPasses },
+      { "PixelsInFrontOfVolumes", this->PixelsInFrontOfVolumes },
+      { "PixelsInsideVolumes", this->PixelsInsideVolumes },
+      { "PixelsBehindVolumes", this->PixelsBehindVolumes },
       { "ReceiverPasses", this->ReceiverPasses }, { "TranslucentActors", this->TranslucentActors },
-      { "LightLayers", this->LightLayers }, { "EyeLayers", this->EyeLayers },
+      { "LightLayers", this->LightLayers }, { "CameraLayers", this->CameraLayers },
       { "SlicedSegments", this->SlicedSegments }, { "LightLayerBytes", this->LightLayerBytes },
-      { "EyeLayerBytes", this->EyeLayerBytes }, { "DepthMapBytes", this->DepthMapBytes },
-      { "SampleMapBytes", this->SampleMapBytes }, { "EyeDepthBytes", this->EyeDepthBytes },
+      { "CameraLayerBytes", this->CameraLayerBytes }, { "DepthMapBytes", this->DepthMapBytes },
+      { "SampleMapBytes", this->SampleMapBytes }, { "CameraDepthBytes", this->CameraDepthBytes },
       { "TransmittanceBytes", this->TransmittanceBytes } });
+}
+
 }

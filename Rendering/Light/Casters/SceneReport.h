@@ -1,85 +1,89 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef vtkShadowedSceneReport_h
-#define vtkShadowedSceneReport_h
+#ifndef interlume_SceneReport_h
+#define interlume_SceneReport_h
 
-#include "InterlumeLightModule.h" // for the export macro
-#include "vtkIndent.h"
 #include "vtkType.h"
 
-#include <string> // for reasons
+#include <string>
+
+class vtkInterlumeReport;
+
+namespace interlume
+{
 
 /**
- * @class   vtkShadowedSceneReport
- * @brief   what vtkShadowedScenePass did in its last picture
+ * @class   SceneReport
+ * @brief   counts the work of vtkShadowedScenePass for its last image
  *
- * This is a plain value object. Counts of what was not done are 0: all of them are where a scene
- * has no opaque actor or no light that casts shadows.
- *
- * @sa vtkShadowedScenePass
+ * Counts of skipped work are 0. All are 0 if no opaque actor or no light casts shadows.
  */
-struct INTERLUMELIGHT_EXPORT vtkShadowedSceneReport
+struct SceneReport
 {
-  /// The numbers of opaque actors that cast shadows, of lights that they cast them of, and of
-  /// volumes that take part.
-  int Casters = 0;
+  /// The opaque actors that cast shadows, the lights that cast shadows of them, and the volumes of
+  /// the scene.
+  int ShadowCasters = 0;
   int Lights = 0;
   int Volumes = 0;
-  /// The numbers of visible actors that are kept from casting shadows, and from receiving them.
-  int NotCasting = 0;
-  int NotReceiving = 0;
-  /// The number of volumes that share one set of slices, and cast shadows on each other: none, or
-  /// two and more. Where others are drawn one by one, with shadows on surfaces alone, VolumesApart
-  /// says why, unless they have errors; it is empty otherwise.
-  int VolumesTogether = 0;
-  std::string VolumesApart;
-  /// The number of actors that receive the light which volumes have scattered on and on (those that
-  /// are lit), of the cells of all volumes that opaque actors block to it, and of the volumes that
-  /// scatter it and do not see that of each other: none, or two and more.
+  /// The visible actors whose keys turn off casting and receiving shadows.
+  int NonCastingActors = 0;
+  int NonReceivingActors = 0;
+  /// The volumes that share one set of slices and cast shadows on each other: 0, or 2 and more.
+  /// SeparateVolumesReason is the error if volumes without errors of their own are rendered
+  /// separately and cast shadows only on surfaces. Otherwise it is empty.
+  int VolumesInSharedSlices = 0;
+  std::string SeparateVolumesReason;
+  /// The lit actors that receive multiply scattered light, the cells of all volumes in which opaque
+  /// actors block that light, and the volumes that scatter light without receiving that of the
+  /// others: 0, or 2 and more.
   int ScatteringReceivers = 0;
   int ScatteringBlockedCells = 0;
-  int ScatteringVolumesApart = 0;
-  /// The number of lights whose colours on actors are those of an image: the screen of a
-  /// vtkProjectiveLight, with an image or without, or the emitter of a vtkAreaLight.
+  int SeparateScatteringVolumes = 0;
+  /// The lights whose color on actors comes from an image: each vtkProjectiveLight, also without an
+  /// image on its screen, and each vtkAreaLight with an image on its emitter.
   int Images = 0;
-  /// The number of depth maps of lights without extent (six for a light amid the actors, else one),
-  /// of those drawn for this picture, and the columns and rows of each.
+  /// The depth maps of lights without extent (six for a light between the actors, otherwise one),
+  /// the number of these rendered for this image, and the columns and rows of each.
   int DepthMaps = 0;
   int DepthMapsDrawn = 0;
   int DepthMapResolution = 0;
-  /// The number of area lights among the lights, of depth maps of their samples (one for each, six
-  /// where a sample is amid the actors), of those drawn for this picture, and the columns and rows
-  /// of each. These maps are not counted above.
+  /// The area lights among the lights, the depth maps of their samples (six for a sample between
+  /// the actors, otherwise one), the number of these rendered for this image, and the columns and
+  /// rows of each. DepthMaps does not include these maps.
   int AreaLights = 0;
   int SampleMaps = 0;
   int SampleMapsDrawn = 0;
   int SampleMapResolution = 0;
-  /// The number of passes that drew the depth that the eye sees, 0 or 1: only volumes need it.
-  int EyeDepthPasses = 0;
-  /// The numbers of pixels with a surface that no light reaches through a volume, that lies within
-  /// the slices of a volume, and that lies behind all of them, in the direction of light: the
-  /// regions 1, 2 and 3 of the source's table 2.1, summed over sweeps and volumes.
-  vtkIdType PixelsBefore = 0;
-  vtkIdType PixelsWithin = 0;
-  vtkIdType PixelsBehind = 0;
-  /// The number of passes that looked up what light volumes leave at these pixels: one for each
-  /// light, and slab with surfaces.
+  /// The passes that rendered the depth seen by the camera, 0 or 1. Only volumes require it.
+  int CameraDepthPasses = 0;
+  /// The pixels with a surface in front of the slices of a volume, inside them and behind them, in
+  /// the direction of light: regions 1, 2 and 3 of the dissertation's table 2.1, summed over sweeps
+  /// and volumes.
+  vtkIdType PixelsInFrontOfVolumes = 0;
+  vtkIdType PixelsInsideVolumes = 0;
+  vtkIdType PixelsBehindVolumes = 0;
+  /// The passes that sampled the transmittance of volumes at these pixels: one per light and slab
+  /// with surfaces.
   int ReceiverPasses = 0;
-  /// The number of translucent actors that take part, of their layers as lights and as the eye see
-  /// them, of the segments between the latter that volumes were drawn in, and the bytes of both.
+  /// The translucent actors of the scene, their layers seen by lights and by the camera, the
+  /// segments between the latter in which volumes were rendered, and the bytes of both kinds of
+  /// layers.
   int TranslucentActors = 0;
   int LightLayers = 0;
-  int EyeLayers = 0;
+  int CameraLayers = 0;
   int SlicedSegments = 0;
   vtkIdType LightLayerBytes = 0;
-  vtkIdType EyeLayerBytes = 0;
-  /// The bytes of depth maps, of those of samples, of the eye's depth, and of the light that
-  /// volumes leave.
+  vtkIdType CameraLayerBytes = 0;
+  /// The bytes of depth maps, of depth maps of samples, of the camera's depth, and of the
+  /// transmittance of volumes.
   vtkIdType DepthMapBytes = 0;
   vtkIdType SampleMapBytes = 0;
-  vtkIdType EyeDepthBytes = 0;
+  vtkIdType CameraDepthBytes = 0;
   vtkIdType TransmittanceBytes = 0;
 
-  void Print(ostream& os, vtkIndent indent) const;
+  /// Replaces the values of a report.
+  void CopyTo(vtkInterlumeReport* report) const;
 };
+
+}
 
 #endif

@@ -7,6 +7,7 @@
 #include "Grid/GridLight.h"
 #include "Scattering/ScatteringSolver.h"
 #include "Shaders/VolumeRenderState.h"
+#include "Sweeps/SliceReport.h"
 
 #include "vtkAreaLight.h"
 #include "vtkMath.h"
@@ -308,7 +309,7 @@ Error ScatteringUpdater::Solve(vtkOpenGLRenderWindow* window, VolumeRenderState&
   return error;
 }
 
-void ScatteringUpdater::Fill(vtkShadowedSliceReport& report) const
+void ScatteringUpdater::Fill(SliceReport& report) const
 {
   report.ScatteringSolves = this->Solves;
   report.ScatteringSeconds = this->Seconds;

@@ -7,8 +7,6 @@
 #include "Scattering/PhaseFunction.h"
 #include "Shaders/SliceScattering.h"
 
-#include "vtkShadowedSliceReport.h"
-
 #include "vtkShadowedSliceSettings.h"
 #include "vtkType.h"
 
@@ -20,6 +18,7 @@ class vtkOpenGLRenderWindow;
 namespace interlume
 {
 
+struct SliceReport;
 struct VolumeRenderState;
 
 /**
@@ -53,7 +52,7 @@ public:
     const ScatteringUpdater* other, const SliceScattering* known);
 
   /// Sets the values of a report that describe the last result.
-  void Fill(vtkShadowedSliceReport& report) const;
+  void Fill(SliceReport& report) const;
 
   /// The cells that opaque surfaces block, of the last field.
   int GetBlockedCells() const { return this->BlockedCells; }

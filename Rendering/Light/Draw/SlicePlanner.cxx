@@ -8,6 +8,7 @@
 #include "Loader/OpenGLFunctions.h"
 #include "Receivers/SliceScene.h"
 #include "Shaders/SliceShader.h"
+#include "Sweeps/SliceReport.h"
 
 #include "vtkShadowedSliceSettings.h"
 
@@ -29,7 +30,7 @@ constexpr double MATTER_TEXELS = 2.0;
 
 void SlicePlanner::Make(ImageState& image, const States& states,
   const std::vector<SlicePlan::Matter>& volumes, const ImageSettings& asked, double coarseness,
-  vtkShadowedSliceReport& report)
+  SliceReport& report)
 {
   SlicePlan::Settings settings;
   settings.AutomaticFactor = AutomaticSpacing * coarseness;
@@ -45,14 +46,14 @@ void SlicePlanner::Make(ImageState& image, const States& states,
   const std::size_t lights = image.Lights.size();
   report.ShadowedLights = static_cast<int>(std::count_if(image.Lights.begin(), image.Lights.end(),
     [](const LightSource& light) { return light.ShadowStrength > 0.0; }));
-  report.SoftLights =
+  report.SoftShadowLights =
     static_cast<int>(std::count_if(image.Lights.begin(), image.Lights.end(), isSoft));
 
   // Surfaces hide the samples of a light from layers of the same samples.
   const int samples =
     std::max(asked.NumberOfLightSamples, image.Scene ? image.Scene->Casters->GetLightSamples() : 0);
   std::vector<int> sampled;
-  if (report.SoftLights > 0)
+  if (report.SoftShadowLights > 0)
   {
     constexpr std::array<const char*, 3> names{ { "AccumulatedConvolution", "SampleLayers",
       "SampledLights" } };
@@ -82,7 +83,7 @@ void SlicePlanner::Make(ImageState& image, const States& states,
   }
   image.Plan.Make(image.Eye, image.Lights, volumes, settings);
   const std::vector<int> hard = image.Plan.NotSoft;
-  report.HardLightsInstead = static_cast<int>(hard.size());
+  report.AreaLightsWithHardShadows = static_cast<int>(hard.size());
   if (!hard.empty())
   {
     for (const int light : hard)

@@ -4,7 +4,6 @@
 
 #include "Plan/SlicePlan.h"
 
-#include "vtkShadowedSliceReport.h"
 #include "vtkType.h"
 
 #include <vector>
@@ -14,6 +13,7 @@ namespace interlume
 
 struct ImageSettings;
 struct ImageState;
+struct SliceReport;
 struct VolumeRenderState;
 
 /**
@@ -35,7 +35,7 @@ public:
    */
   static void Make(ImageState& image, const States& states,
     const std::vector<SlicePlan::Matter>& volumes, const ImageSettings& asked, double coarseness,
-    vtkShadowedSliceReport& report);
+    SliceReport& report);
 
   /// Returns the bytes of the buffers of the image and of its lights.
   static vtkIdType GetBufferBytes(const ImageState& image, const States& states);

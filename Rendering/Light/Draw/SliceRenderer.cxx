@@ -12,6 +12,7 @@
 #include "Space/BoxCorners.h"
 #include "Space/UnitVector.h"
 #include "Sweeps/SliceRasterizer.h"
+#include "Sweeps/SliceReport.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
@@ -164,7 +165,7 @@ double SliceRenderer::ChooseCoarseness(const Volumes& volumes) const
 }
 
 void SliceRenderer::UpdateView(vtkRenderer* renderer, const Volumes& volumes, double coarseness,
-  SliceScene* scene, vtkShadowedSliceReport& report)
+  SliceScene* scene, SliceReport& report)
 {
   ImageState& image = this->Image;
   this->Space = volumes[0]->GetState().Space;
@@ -221,8 +222,7 @@ bool SliceRenderer::HasTooManySlices(
   return false;
 }
 
-Error SliceRenderer::MakePlan(
-  const Volumes& volumes, double coarseness, vtkShadowedSliceReport& report)
+Error SliceRenderer::MakePlan(const Volumes& volumes, double coarseness, SliceReport& report)
 {
   std::vector<SlicePlan::Matter> sliced;
   std::vector<const VolumeRenderState*> states;
@@ -270,8 +270,7 @@ Error SliceRenderer::UpdateScattering(vtkRenderer* renderer, const Volumes& volu
   return {};
 }
 
-Error SliceRenderer::DrawSlices(
-  vtkRenderer* renderer, const Volumes& volumes, vtkShadowedSliceReport& report)
+Error SliceRenderer::DrawSlices(vtkRenderer* renderer, const Volumes& volumes, SliceReport& report)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   std::vector<SliceRasterizer::Volume> drawn;
@@ -312,7 +311,7 @@ Error SliceRenderer::Draw(vtkRenderer* renderer, const Volumes& volumes, SliceSc
     return error;
   }
   const double coarseness = this->ChooseCoarseness(drawn);
-  vtkShadowedSliceReport report;
+  SliceReport report;
   this->UpdateView(renderer, drawn, coarseness, scene, report);
   error = this->UpdateScattering(renderer, drawn)
             .Then([&] { return this->MakePlan(drawn, coarseness, report); })

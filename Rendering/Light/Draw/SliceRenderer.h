@@ -8,8 +8,6 @@
 #include "Shaders/ImageState.h"
 #include "Space/UnitSpace.h"
 
-#include "vtkShadowedSliceReport.h"
-
 #include <map>
 #include <memory>
 #include <vector>
@@ -25,6 +23,7 @@ namespace interlume
 
 class SliceRasterizer;
 class VolumeResources;
+struct SliceReport;
 struct SliceScene;
 struct VolumeRenderState;
 
@@ -68,12 +67,12 @@ private:
   double ChooseCoarseness(const Volumes& volumes) const;
   /// Finds how the volumes are seen and lit.
   void UpdateView(vtkRenderer* renderer, const Volumes& volumes, double coarseness,
-    SliceScene* scene, vtkShadowedSliceReport& report);
+    SliceScene* scene, SliceReport& report);
   Error UpdateScattering(vtkRenderer* renderer, const Volumes& volumes);
   /// Plans the slices. Returns an error if they cannot be drawn.
-  Error MakePlan(const Volumes& volumes, double coarseness, vtkShadowedSliceReport& report);
+  Error MakePlan(const Volumes& volumes, double coarseness, SliceReport& report);
   bool HasTooManySlices(const std::vector<SlicePlan::Matter>& volumes, double coarseness) const;
-  Error DrawSlices(vtkRenderer* renderer, const Volumes& volumes, vtkShadowedSliceReport& report);
+  Error DrawSlices(vtkRenderer* renderer, const Volumes& volumes, SliceReport& report);
   SliceRasterizer* Find(vtkRenderer* renderer) const;
 
   ImageSettings Settings;

@@ -61,6 +61,12 @@ Error VolumeImage::DrawTogether(vtkRenderer* renderer, const std::vector<VolumeI
   return error;
 }
 
+void VolumeImage::End()
+{
+  this->Scene = nullptr;
+  this->GetReport().CopyTo(this->GetRequest().Report);
+}
+
 void VolumeImage::Show(vtkRenderer* renderer)
 {
   if (this->Scene && this->Scene->Show)

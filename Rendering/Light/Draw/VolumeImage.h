@@ -43,11 +43,13 @@ public:
   static Error DrawTogether(vtkRenderer* renderer, const std::vector<VolumeImage*>& images,
     const std::shared_ptr<SliceRenderer>& together, SliceScene& scene);
 
-  /// Returns whether the image is a part of a scene, until EndScene, and was rendered together with
+  /// Returns whether the image is a part of a scene, until End, and was rendered together with
   /// others.
   bool IsInScene() const { return this->Scene != nullptr; }
   bool IsTogether() const { return this->Together != nullptr; }
-  void EndScene() { this->Scene = nullptr; }
+
+  /// Ends the image after Draw, or after the scene, and replaces the values of the mapper's report.
+  void End();
 
   /// Returns whether there is a volume, or an error.
   bool HasContents() const { return this->IsValid() || this->GetResult().Error; }
@@ -57,6 +59,7 @@ public:
 
   const VolumeResources::Request& GetRequest() const { return this->Volume.GetRequest(); }
   const VolumeResources::Result& GetResult() const { return this->Volume.GetResult(); }
+  const SliceReport& GetReport() const { return this->Volume.GetReport(); }
 
   /// Implements vtkShadowedSliceMapper::ReadLightBuffer.
   bool ReadLightBuffer(vtkRenderer* renderer, vtkLight* light, vtkImageData* image);

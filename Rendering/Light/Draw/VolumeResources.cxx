@@ -83,7 +83,7 @@ void VolumeResources::SetRequest(const Request& request, const Error& error)
   this->Asked = request;
   this->Results = Result();
   this->Results.Error = error;
-  *request.Report = vtkShadowedSliceReport();
+  this->Report = SliceReport();
   this->UploadedBytes = 0;
 }
 
@@ -303,18 +303,17 @@ SlicePlan::Matter VolumeResources::GetSlicedVolume() const
     this->State.Material.HasSharpOpacity() ? 0.0 : SliceShader::GetRampExtinction(this->State) };
 }
 
-void VolumeResources::SetReport(const vtkShadowedSliceReport& shared, const std::string& features)
+void VolumeResources::SetReport(const SliceReport& shared, const std::string& features)
 {
-  vtkShadowedSliceReport& report = *this->Asked.Report;
-  report = shared;
-  report.Features = features;
-  report.Blocks = this->State.Blocks.GetNumberOfBlocks();
-  report.BlocksDrawn = this->State.Blocks.GetNumberVisible();
-  report.NonFiniteVoxels = this->State.Samples.NonFinite;
-  report.TextureBytes = this->GetTextureBytes();
-  report.UploadedBytes += this->UploadedBytes;
-  this->Scatterer.Fill(report);
-  report.ScatteringBytes =
+  this->Report = shared;
+  this->Report.Features = features;
+  this->Report.Blocks = this->State.Blocks.GetNumberOfBlocks();
+  this->Report.BlocksDrawn = this->State.Blocks.GetNumberVisible();
+  this->Report.NonFiniteVoxels = this->State.Samples.NonFinite;
+  this->Report.TextureBytes = this->GetTextureBytes();
+  this->Report.UploadedBytes += this->UploadedBytes;
+  this->Scatterer.Fill(this->Report);
+  this->Report.ScatteringBytes =
     static_cast<vtkIdType>(sizeof(float) * this->State.Scattering.Texels.size());
 }
 

@@ -5,8 +5,8 @@
 #include "Common/Error.h"
 #include "Draw/ScatteringUpdater.h"
 #include "Shaders/VolumeRenderState.h"
+#include "Sweeps/SliceReport.h"
 
-#include "vtkShadowedSliceReport.h"
 #include "vtkShadowedSliceSettings.h"
 #include "vtkType.h"
 
@@ -17,6 +17,7 @@
 
 class vtkDataArray;
 class vtkImageData;
+class vtkInterlumeReport;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
 class vtkSliceMatter;
@@ -46,8 +47,8 @@ public:
     /// See VolumeRenderState.
     vtkSliceMatter* Matter = nullptr;
     ClipRegion::Cuts Cuts;
-    /// The mapper's report of the image.
-    vtkShadowedSliceReport* Report = nullptr;
+    /// The mapper's report.
+    vtkInterlumeReport* Report = nullptr;
   };
 
   VolumeResources();
@@ -68,6 +69,7 @@ public:
   const VolumeRenderState& GetState() const { return this->State; }
   Result& GetResult() { return this->Results; }
   const Result& GetResult() const { return this->Results; }
+  const SliceReport& GetReport() const { return this->Report; }
 
   ///@{
   /**
@@ -97,7 +99,7 @@ public:
   bool AddScatteredLight(vtkOpenGLRenderWindow* window);
 
   /// Sets the report: the values that all volumes of the image share, and the volume's own.
-  void SetReport(const vtkShadowedSliceReport& shared, const std::string& features);
+  void SetReport(const SliceReport& shared, const std::string& features);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -109,6 +111,7 @@ private:
 
   Request Asked;
   Result Results;
+  SliceReport Report;
   VolumeRenderState State;
   /// The data that the samples and the material were built from.
   vtkDataArray* Scalars = nullptr;

@@ -70,7 +70,7 @@ SceneRenderer::SceneRenderer() = default;
 
 SceneRenderer::~SceneRenderer() = default;
 
-bool SceneRenderer::SortProps(vtkRenderer* renderer, Boxes& boxes, vtkShadowedSceneReport& report)
+bool SceneRenderer::SortProps(vtkRenderer* renderer, Boxes& boxes)
 {
   this->Props.clear();
   this->Opaque.clear();
@@ -92,7 +92,7 @@ bool SceneRenderer::SortProps(vtkRenderer* renderer, Boxes& boxes, vtkShadowedSc
     }
     this->Props.push_back(prop);
     const bool casts = this->Settings.Casts(prop);
-    report.NotCasting += casts ? 0 : 1;
+    this->Report.NonCastingActors += casts ? 0 : 1;
     if (!this->Settings.Receives(prop))
     {
       lit.push_back(prop);
@@ -130,7 +130,7 @@ bool SceneRenderer::SortProps(vtkRenderer* renderer, Boxes& boxes, vtkShadowedSc
       }
     }
   }
-  report.NotReceiving = static_cast<int>(lit.size());
+  this->Report.NonReceivingActors = static_cast<int>(lit.size());
   if (lit != this->Lit)
   {
     this->Lit = std::move(lit);
@@ -139,10 +139,10 @@ bool SceneRenderer::SortProps(vtkRenderer* renderer, Boxes& boxes, vtkShadowedSc
   return hasOthers;
 }
 
-bool SceneRenderer::Begin(
-  vtkRenderer* renderer, const Request& request, int volumes, vtkShadowedSceneReport& report)
+bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, int volumes)
 {
   this->Settings = request;
+  this->Report = SceneReport();
   this->Lights.clear();
   this->Reached.clear();
   this->Failed.clear();
@@ -150,7 +150,7 @@ bool SceneRenderer::Begin(
   this->Fields.Forget();
   this->Transmittance.Clear(0, 0, 1, {});
   Boxes boxes;
-  const bool hasOthers = this->SortProps(renderer, boxes, report);
+  const bool hasOthers = this->SortProps(renderer, boxes);
   // Props of other kinds have no depth yet when volumes are drawn ahead.
   const bool isGroup = volumes > 1 && !hasOthers;
   if (this->Props.empty() && !isGroup)
@@ -212,10 +212,10 @@ Error SceneRenderer::UpdateContext(vtkOpenGLRenderWindow* window)
                 : Error("the graphics card has no memory for a texture", ErrorCode::OutOfMemory);
 }
 
-Error SceneRenderer::DrawMaps(vtkRenderer* renderer, vtkShadowedSceneReport& report)
+Error SceneRenderer::DrawMaps(vtkRenderer* renderer)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  Error error = this->UpdateContext(window).Then([&] { return this->DrawPanes(renderer, report); });
+  Error error = this->UpdateContext(window).Then([&] { return this->DrawPanes(renderer); });
   if (!this->Maps.HasViews() || error)
   {
     this->Maps.ReleaseGraphicsResources(window);
@@ -224,14 +224,13 @@ Error SceneRenderer::DrawMaps(vtkRenderer* renderer, vtkShadowedSceneReport& rep
   this->IsOfDepths = true;
   this->Placeholder->Activate();
   error = this->Maps.Draw(
-    renderer, this->Casters, this->Settings.Resolution, this->Settings.Bias, report);
+    renderer, this->Casters, this->Settings.Resolution, this->Settings.Bias, this->Report);
   this->Placeholder->Deactivate();
   this->IsOfDepths = false;
   return error;
 }
 
-Error SceneRenderer::DrawEyeDepth(
-  vtkRenderer* renderer, int channels, vtkShadowedSceneReport& report)
+Error SceneRenderer::DrawEyeDepth(vtkRenderer* renderer, int channels)
 {
   this->Scene.Casters = &this->Maps;
   this->Scene.Blockers = this->Casters;
@@ -274,15 +273,15 @@ Error SceneRenderer::DrawEyeDepth(
   this->Transmittance.Clear(size[0], size[1], channels, lights);
   this->LayerLight.Clear(size[0], size[1], channels, lights);
   this->Scene.Transmittance = &this->Transmittance;
-  report.EyeDepthPasses = 1;
-  report.EyeDepthBytes = this->EyeDepth.GetBytes();
+  this->Report.CameraDepthPasses = 1;
+  this->Report.CameraDepthBytes = this->EyeDepth.GetBytes();
   return {};
 }
 
-Error SceneRenderer::DrawPanes(vtkRenderer* renderer, vtkShadowedSceneReport& report)
+Error SceneRenderer::DrawPanes(vtkRenderer* renderer)
 {
   const int views = static_cast<int>(this->PaneViews.GetViews().size());
-  report.TranslucentActors = static_cast<int>(this->Panes.size());
+  this->Report.TranslucentActors = static_cast<int>(this->Panes.size());
   if (this->PaneCasters.empty() || views == 0)
   {
     this->PaneLight.Clear(renderer->GetRenderWindow());
@@ -296,12 +295,12 @@ Error SceneRenderer::DrawPanes(vtkRenderer* renderer, vtkShadowedSceneReport& re
     this->Settings.Bias, static_cast<std::size_t>(this->Settings.Layers), this->Layering);
   this->Placeholder->Deactivate();
   this->IsOfDepths = false;
-  report.LightLayers = this->PaneLight.GetLayers();
-  report.LightLayerBytes = this->PaneLight.GetBytes();
+  this->Report.LightLayers = this->PaneLight.GetLayers();
+  this->Report.LightLayerBytes = this->PaneLight.GetBytes();
   return error;
 }
 
-Error SceneRenderer::PeelLayers(vtkRenderer* renderer, vtkShadowedSceneReport& report)
+Error SceneRenderer::PeelLayers(vtkRenderer* renderer)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   const std::array<int, 2>& size = this->Scene.Size;
@@ -326,8 +325,8 @@ Error SceneRenderer::PeelLayers(vtkRenderer* renderer, vtkShadowedSceneReport& r
     error = Error("the graphics card has no memory for the picture of translucent surfaces",
       ErrorCode::OutOfMemory);
   }
-  report.EyeLayers = static_cast<int>(this->Layers.GetNumber());
-  report.EyeLayerBytes = this->Layers.GetBytes();
+  this->Report.CameraLayers = static_cast<int>(this->Layers.GetNumber());
+  this->Report.CameraLayerBytes = this->Layers.GetBytes();
   return error;
 }
 
@@ -369,7 +368,7 @@ void SceneRenderer::ShadeLayer(vtkRenderer* renderer, std::size_t layer)
 }
 
 Error SceneRenderer::DrawSegments(vtkRenderer* renderer, const std::function<void()>& drawVolumes,
-  const std::function<void()>& showVolumes, vtkShadowedSceneReport& report)
+  const std::function<void()>& showVolumes)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!this->IsLayered)
@@ -380,7 +379,7 @@ Error SceneRenderer::DrawSegments(vtkRenderer* renderer, const std::function<voi
     return {};
   }
   this->OpaqueDepths = this->Scene.EyeDepths;
-  if (Error error = this->PeelLayers(renderer, report))
+  if (Error error = this->PeelLayers(renderer))
   {
     return error;
   }
@@ -409,7 +408,7 @@ Error SceneRenderer::DrawSegments(vtkRenderer* renderer, const std::function<voi
       this->Layers.Lay(window, showVolumes);
     }
   }
-  report.SlicedSegments = static_cast<int>(layers) + 1;
+  this->Report.SlicedSegments = static_cast<int>(layers) + 1;
   if (layers > 0)
   {
     this->Scene.Show = [this, window]() { this->Layers.Show(window); };
@@ -419,16 +418,15 @@ Error SceneRenderer::DrawSegments(vtkRenderer* renderer, const std::function<voi
   return {};
 }
 
-void SceneRenderer::MakeShader(
-  vtkRenderer* renderer, bool isShadowed, vtkShadowedSceneReport& report)
+void SceneRenderer::MakeShader(vtkRenderer* renderer, bool isShadowed)
 {
-  report.PixelsBefore = this->Scene.PixelsBefore;
-  report.PixelsWithin = this->Scene.PixelsWithin;
-  report.PixelsBehind = this->Scene.PixelsBehind;
-  report.ReceiverPasses = this->Scene.ReceiverPasses;
-  report.TransmittanceBytes = this->Transmittance.GetBytes();
+  this->Report.PixelsInFrontOfVolumes = this->Scene.PixelsBefore;
+  this->Report.PixelsInsideVolumes = this->Scene.PixelsWithin;
+  this->Report.PixelsBehindVolumes = this->Scene.PixelsBehind;
+  this->Report.ReceiverPasses = this->Scene.ReceiverPasses;
+  this->Report.TransmittanceBytes = this->Transmittance.GetBytes();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (report.EyeDepthPasses == 0)
+  if (this->Report.CameraDepthPasses == 0)
   {
     this->EyeDepth.ReleaseGraphicsResources(window);
   }
@@ -437,19 +435,19 @@ void SceneRenderer::MakeShader(
     this->Transmittance.ReleaseGraphicsResources(window);
   }
   this->Fields.Set(isShadowed ? this->Scene.Fields : std::vector<ScatteredField>());
-  this->ReportFields(report);
+  this->ReportFields();
   this->UpdateShader(renderer, isShadowed);
-  report.Images = this->Screens.GetNumber();
+  this->Report.Images = this->Screens.GetNumber();
 }
 
-void SceneRenderer::ReportFields(vtkShadowedSceneReport& report) const
+void SceneRenderer::ReportFields()
 {
   const std::vector<ScatteredField>& fields = this->Fields.Get();
   for (const ScatteredField& field : fields)
   {
-    report.ScatteringBlockedCells += field.BlockedCells;
+    this->Report.ScatteringBlockedCells += field.BlockedCells;
   }
-  report.ScatteringVolumesApart = fields.size() > 1 ? static_cast<int>(fields.size()) : 0;
+  this->Report.SeparateScatteringVolumes = fields.size() > 1 ? static_cast<int>(fields.size()) : 0;
   const auto receives = [&](vtkProp* prop)
   {
     auto* actor = vtkActor::SafeDownCast(prop);
@@ -461,7 +459,7 @@ void SceneRenderer::ReportFields(vtkShadowedSceneReport& report) const
   {
     props.insert(this->Panes.begin(), this->Panes.end());
   }
-  report.ScatteringReceivers +=
+  this->Report.ScatteringReceivers +=
     static_cast<int>(std::count_if(props.begin(), props.end(), receives));
 }
 

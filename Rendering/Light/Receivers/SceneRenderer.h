@@ -4,6 +4,7 @@
 
 #include "Casters/PropDepths.h"
 #include "Casters/SceneCasters.h"
+#include "Casters/SceneReport.h"
 #include "Common/Error.h"
 #include "Lights/LightSource.h"
 #include "Receivers/ActorShader.h"
@@ -16,7 +17,6 @@
 #include "Translucent/PaneMaps.h"
 
 #include "vtkNew.h"
-#include "vtkShadowedSceneReport.h"
 #include "vtkTimeStamp.h"
 #include "vtkWeakPointer.h"
 
@@ -61,8 +61,7 @@ public:
   /// Finds the props that cast shadows and the lights that they cast them of. Returns whether there
   /// are both, or lights whose light so many \a volumes may take from them, or from each other, or
   /// lights with images.
-  bool Begin(
-    vtkRenderer* renderer, const Request& request, int volumes, vtkShadowedSceneReport& report);
+  bool Begin(vtkRenderer* renderer, const Request& request, int volumes);
 
   /// Whether volumes are part of the scene: else they are drawn as without it.
   bool HasVolumes() const { return this->IsMixed; }
@@ -71,10 +70,10 @@ public:
   std::vector<vtkProp*>& GetProps() { return this->Props; }
 
   /// Draws the maps of lights, of opaque and translucent surfaces. Returns an error if that fails.
-  Error DrawMaps(vtkRenderer* renderer, vtkShadowedSceneReport& report);
+  Error DrawMaps(vtkRenderer* renderer);
   /// Draws the depth that the eye sees, where there is something to see, for volumes whose light
   /// has so many channels. Returns an error if there is no memory for it.
-  Error DrawEyeDepth(vtkRenderer* renderer, int channels, vtkShadowedSceneReport& report);
+  Error DrawEyeDepth(vtkRenderer* renderer, int channels);
 
   /**
    * Draws translucent surfaces and volumes in order into one picture, which the volumes show then:
@@ -83,12 +82,12 @@ public:
    * an error if the surfaces cannot be drawn.
    */
   Error DrawSegments(vtkRenderer* renderer, const std::function<void()>& drawVolumes,
-    const std::function<void()>& showVolumes, vtkShadowedSceneReport& report);
+    const std::function<void()>& showVolumes);
 
   /// What volumes of this frame are drawn with, after DrawEyeDepth.
   SliceScene& GetScene() { return this->Scene; }
   /// Makes the shaders of props. \a isShadowed is false after an error.
-  void MakeShader(vtkRenderer* renderer, bool isShadowed, vtkShadowedSceneReport& report);
+  void MakeShader(vtkRenderer* renderer, bool isShadowed);
 
   /// Binds the textures that shaders of props read.
   void Activate();
@@ -107,6 +106,9 @@ public:
   /// Returns the translucent actors that are drawn before volumes and cast no shadows, each once.
   std::vector<vtkProp*> TakeUnsliced();
 
+  /// Returns the report of the image since Begin, which the pass completes.
+  SceneReport& GetReport() { return this->Report; }
+
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
@@ -119,17 +121,18 @@ private:
   };
 
   /// Sorts the visible props of the renderer. Returns whether there are others that hide volumes.
-  bool SortProps(vtkRenderer* renderer, Boxes& boxes, vtkShadowedSceneReport& report);
+  bool SortProps(vtkRenderer* renderer, Boxes& boxes);
   Error UpdateContext(vtkOpenGLRenderWindow* window);
-  Error DrawPanes(vtkRenderer* renderer, vtkShadowedSceneReport& report);
-  Error PeelLayers(vtkRenderer* renderer, vtkShadowedSceneReport& report);
+  Error DrawPanes(vtkRenderer* renderer);
+  Error PeelLayers(vtkRenderer* renderer);
   void BeginSegment(std::size_t segment);
   void Deactivate();
   void ShadeLayer(vtkRenderer* renderer, std::size_t layer);
   void UpdateShader(vtkRenderer* renderer, bool isShadowed);
-  void ReportFields(vtkShadowedSceneReport& report) const;
+  void ReportFields();
 
   Request Settings;
+  SceneReport Report;
   std::vector<vtkProp*> Props;
   std::vector<vtkProp*> Opaque;
   std::vector<vtkProp*> Panes;

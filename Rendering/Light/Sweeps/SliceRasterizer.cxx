@@ -9,6 +9,7 @@
 #include "Receivers/SliceScene.h"
 #include "Shaders/SliceShader.h"
 #include "Space/UnitSpace.h"
+#include "Sweeps/SliceReport.h"
 #include "Translucent/PaneMaps.h"
 
 #include "vtkDoubleArray.h"
@@ -52,7 +53,7 @@ Error SliceRasterizer::FindError(vtkOpenGLRenderWindow* window)
 Error SliceRasterizer::PrepareImage()
 {
   vtkOpenGLRenderWindow* window = this->Window;
-  vtkShadowedSliceReport& report = *this->Report;
+  SliceReport& report = *this->Report;
   const auto [width, height] = this->State->Size;
   vtkIdType bytes = FloatTexture::Allocate(window, this->Image, width, height, 4, true);
   if (bytes == 0)
@@ -202,7 +203,7 @@ Error SliceRasterizer::DrawSweeps()
 }
 
 Error SliceRasterizer::Draw(vtkRenderer* renderer, const ImageState& image,
-  const std::vector<Volume>& volumes, vtkShadowedSliceReport& report)
+  const std::vector<Volume>& volumes, SliceReport& report)
 {
   this->Window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   this->State = &image;
@@ -407,7 +408,7 @@ bool SliceRasterizer::IsEmpty(int slab) const
 Error SliceRasterizer::DrawSweep(std::size_t sweepIndex)
 {
   const Sweep& sweep = this->State->Plan.Sweeps[sweepIndex];
-  vtkShadowedSliceReport& report = *this->Report;
+  SliceReport& report = *this->Report;
   for (const std::unique_ptr<VolumeSlices>& slices : this->Slices)
   {
     report.TriangleBytes += slices->Cut(sweep);
@@ -505,7 +506,7 @@ void SliceRasterizer::DrawSlab(const Sweep& sweep, int slab)
       this->ImageFramebuffer->Bind(GL_DRAW_FRAMEBUFFER);
       this->Window->GetState()->vtkglViewport(0, 0, this->State->Size[0], this->State->Size[1]);
       slices.Draw(this->Window, sweep, slab, number, static_cast<int>(this->Slices.size()));
-      ++this->Report->EyePasses;
+      ++this->Report->ImagePasses;
     }
     for (const SlicePlan::ShadowedLight& light : sweep.Lights)
     {

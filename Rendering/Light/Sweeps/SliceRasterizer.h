@@ -15,7 +15,6 @@
 #include "Sweeps/SliceReceivers.h"
 
 #include "vtkNew.h"
-#include "vtkShadowedSliceReport.h"
 
 #include <memory>
 #include <vector>
@@ -31,6 +30,8 @@ class vtkWindow;
 
 namespace interlume
 {
+
+struct SliceReport;
 
 /**
  * @class   SliceRasterizer
@@ -64,7 +65,7 @@ public:
    * between slabs if the user aborts. Returns an error if the image is not complete.
    */
   Error Draw(vtkRenderer* renderer, const ImageState& image, const std::vector<Volume>& volumes,
-    vtkShadowedSliceReport& report);
+    SliceReport& report);
 
   /// Returns whether opaque surfaces occluded volumes of the last image.
   bool IsOccluded() const { return this->Opaque != nullptr; }
@@ -119,7 +120,7 @@ private:
   /// What Draw is called with.
   vtkOpenGLRenderWindow* Window = nullptr;
   const ImageState* State = nullptr;
-  vtkShadowedSliceReport* Report = nullptr;
+  SliceReport* Report = nullptr;
   ///@}
   std::vector<std::unique_ptr<VolumeSlices>> Slices;
   /// The volume whose textures are bound.

@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkShadowedSliceReport.h"
+#include "Sweeps/SliceReport.h"
 
-#include "Common/NamedValue.h"
+#include "Common/ReportValue.h"
 
-void vtkShadowedSliceReport::Print(ostream& os, vtkIndent indent) const
+namespace interlume
 {
-  interlume::NamedValue::Print(os, indent,
+
+void SliceReport::CopyTo(vtkInterlumeReport* report) const
+{
+  ReportValue::Set(report,
     { { "Lights", this->Lights }, { "ShadowedLights", this->ShadowedLights },
       { "Sweeps", this->Sweeps }, { "FrontToBackSweeps", this->FrontToBackSweeps },
       { "Slices", this->Slices }, { "SlicesDrawn", this->SlicesDrawn },
-      { "SliceSpacing", this->SliceSpacing }, { "EyePasses", this->EyePasses },
+      { "SliceSpacing", this->SliceSpacing }, { "ImagePasses", this->ImagePasses },
       { "LightPasses", this->LightPasses }, { "OcclusionPasses", this->OcclusionPasses },
       { "ImageBuffers", this->ImageBuffers }, { "ImageBufferBytes", this->ImageBufferBytes },
       { "LightBuffers", this->LightBuffers }, { "LightBufferBytes", this->LightBufferBytes },
       { "LightBufferSize", this->LightBufferSize }, { "LightChannels", this->LightChannels },
-      { "SoftLights", this->SoftLights }, { "SoftShadowMethod", this->SoftShadowMethod },
-      { "HardLightsInstead", this->HardLightsInstead }, { "LightLayers", this->LightLayers },
-      { "SampledLights", this->SampledLights }, { "SoftShadowPasses", this->SoftShadowPasses },
-      { "SoftShadowBytes", this->SoftShadowBytes }, { "ScatteringCells", this->ScatteringCells },
+      { "SoftShadowLights", this->SoftShadowLights },
+      { "SoftShadowMethod", this->SoftShadowMethod },
+      { "AreaLightsWithHardShadows", this->AreaLightsWithHardShadows },
+      { "LightLayers", this->LightLayers }, { "SampledLights", this->SampledLights },
+      { "SoftShadowPasses", this->SoftShadowPasses }, { "SoftShadowBytes", this->SoftShadowBytes },
+      { "ScatteringCells", this->ScatteringCells },
       { "ScatteringBlockedCells", this->ScatteringBlockedCells },
       { "ScatteringBytes", this->ScatteringBytes }, { "ScatteringSolves", this->ScatteringSolves },
       { "ScatteringSeconds", this->ScatteringSeconds }, { "Features", this->Features },
@@ -25,4 +30,6 @@ void vtkShadowedSliceReport::Print(ostream& os, vtkIndent indent) const
       { "NonFiniteVoxels", this->NonFiniteVoxels }, { "TextureBytes", this->TextureBytes },
       { "UploadedBytes", this->UploadedBytes }, { "TriangleBytes", this->TriangleBytes },
       { "ImageSampleDistance", this->ImageSampleDistance }, { "Seconds", this->Seconds } });
+}
+
 }

@@ -1,96 +1,96 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef vtkShadowedSliceReport_h
-#define vtkShadowedSliceReport_h
+#ifndef interlume_SliceReport_h
+#define interlume_SliceReport_h
 
-#include "InterlumeLightModule.h" // for the export macro
-#include "vtkIndent.h"
 #include "vtkType.h"
 
-#include <string> // for the features
+#include <string>
+
+class vtkInterlumeReport;
+
+namespace interlume
+{
 
 /**
- * @class   vtkShadowedSliceReport
- * @brief   what vtkShadowedSliceMapper did in its last picture
+ * @class   SliceReport
+ * @brief   counts the work of vtkShadowedSliceMapper for its last image
  *
- * This is a plain value object. Counts of what was not done are 0; strings are empty before the
- * first picture.
- *
- * @sa vtkShadowedSliceMapper
+ * Counts of skipped work are 0.
  */
-struct INTERLUMELIGHT_EXPORT vtkShadowedSliceReport
+struct SliceReport
 {
-  /// The numbers of lights that shade the volume, and of those among them that cast shadows in it.
+  /// The lights that shade the volume, and those of them that cast shadows in it.
   int Lights = 0;
   int ShadowedLights = 0;
-  /// The numbers of sweeps of slices through the volume, and of those among them from front to
-  /// back. Lights on both sides of the volume, or one inside it, take more than one.
+  /// The sweeps of slices through the volume, and those of them from front to back. Lights on both
+  /// sides of the volume, or a light inside it, require more than one.
   int Sweeps = 0;
   int FrontToBackSweeps = 0;
-  /// The numbers of slices over all sweeps and of those that meet a block that is not empty, and
-  /// their distance in world units (that of the first sweep).
+  /// The slices of all sweeps, those of them that intersect a block that is not empty, and the
+  /// slice spacing of the first sweep in world units.
   int Slices = 0;
   int SlicesDrawn = 0;
   double SliceSpacing = 0.0;
-  /// The numbers of passes over the picture's buffer, over light buffers, and to find what is
-  /// already opaque.
-  int EyePasses = 0;
+  /// The passes over the image buffer, over light buffers, and to find opaque samples.
+  int ImagePasses = 0;
   int LightPasses = 0;
   int OcclusionPasses = 0;
-  /// The numbers of buffers of the picture and of lights (one for each that casts shadows), and
-  /// their bytes.
+  /// The buffers of the image and of lights (one per light that casts shadows), and their bytes.
   int ImageBuffers = 0;
   vtkIdType ImageBufferBytes = 0;
   int LightBuffers = 0;
   vtkIdType LightBufferBytes = 0;
-  /// The number of columns and rows of the largest light buffer, and the number of channels of
-  /// light that are attenuated, 1 or 3.
+  /// The columns and rows of the largest light buffer, and the channels of light that are
+  /// attenuated, 1 or 3.
   int LightBufferSize = 0;
   int LightChannels = 0;
-  /// The number of area lights that cast shadows, and the way, as the setting is called:
-  /// `SampleLayers` (of SAMPLED_LIGHTS too in a vtkShadowedScenePass), `AccumulatedConvolution`,
-  /// `SampledLights`; empty without soft shadows.
-  int SoftLights = 0;
+  /// The area lights that cast shadows, and the method, named as the setting: `SampleLayers` (also
+  /// for SAMPLED_LIGHTS in a vtkShadowedScenePass), `AccumulatedConvolution` or `SampledLights`;
+  /// empty without soft shadows.
+  int SoftShadowLights = 0;
   std::string SoftShadowMethod;
-  /// The number of those lights that shine from their centre alone, with hard shadows: they are
-  /// inside the volume or too close, or too large, to be seen through planes.
-  int HardLightsInstead = 0;
-  /// The numbers of layers of samples of all lights, and of lights that stand for samples, of
-  /// passes over layers and by convolution, and the bytes of what soft shadows have beside the
-  /// light buffers.
+  /// The number of those lights that shine only from their center, with hard shadows: they are
+  /// inside the volume, too close, or too large to be seen through planes.
+  int AreaLightsWithHardShadows = 0;
+  /// The sample layers of all lights, the lights that represent samples, the passes over layers and
+  /// by convolution, and the bytes for soft shadows in addition to the light buffers.
   int LightLayers = 0;
   int SampledLights = 0;
   int SoftShadowPasses = 0;
   vtkIdType SoftShadowBytes = 0;
-  /// The number of cells that light is scattered in on and on, of those among them that opaque
-  /// surfaces of a vtkShadowedScenePass block, the bytes of what it is there, how often that was
-  /// found since it is asked for (a picture that finds nothing new leaves the number as it is) and
-  /// the seconds that this took the last time.
+  /// The cells of multiply scattered light, those of them that opaque surfaces of a
+  /// vtkShadowedScenePass block, the bytes of that light, how often it was computed since the
+  /// settings request it (an image that reuses it does not count), and the seconds of the last
+  /// computation.
   int ScatteringCells = 0;
   int ScatteringBlockedCells = 0;
   vtkIdType ScatteringBytes = 0;
   int ScatteringSolves = 0;
   double ScatteringSeconds = 0.0;
-  /// The names of the parts of the shaders that were compiled in, separated by spaces. Words of
-  /// shadows (`shadow`, ...) stand there only when a light casts them.
+  /// The names of the compiled parts of the shaders, separated by spaces. Names of shadows
+  /// (`shadow`, ...) are included only if a light casts them.
   std::string Features;
 
-  /// The numbers of blocks of the volume, and of those with something to see.
+  /// The blocks of the volume, and those of them with something visible.
   int Blocks = 0;
   int BlocksDrawn = 0;
-  /// The number of voxels with NaN or infinity, which are transparent.
+  /// The voxels with NaN or infinity, which are transparent.
   vtkIdType NonFiniteVoxels = 0;
-  /// The bytes of textures of volume and transfer functions, of those sent for this picture, and of
-  /// the slices' triangles, which are sent for each picture.
+  /// The bytes of the textures of volume and transfer functions, those of them uploaded for this
+  /// image, and the bytes of the slices' triangles, which are uploaded for each image.
   vtkIdType TextureBytes = 0;
   vtkIdType UploadedBytes = 0;
   vtkIdType TriangleBytes = 0;
-  /// The number of pixels of the viewport for each pixel of the picture, along an edge.
+  /// The pixels of the viewport per pixel of the image, along an edge.
   double ImageSampleDistance = 1.0;
-  /// The seconds that this picture took, until the graphics card was done where the mapper measures
-  /// that.
+  /// The seconds of this image. With AutoAdjustSampleDistances this includes the work of the
+  /// graphics card.
   double Seconds = 0.0;
 
-  void Print(ostream& os, vtkIndent indent) const;
+  /// Replaces the values of a report.
+  void CopyTo(vtkInterlumeReport* report) const;
 };
+
+}
 
 #endif

@@ -88,7 +88,7 @@ TetrahedraRenderer::TetrahedraRenderer() = default;
 
 TetrahedraRenderer::~TetrahedraRenderer() = default;
 
-Error TetrahedraRenderer::UpdateMesh(const Request& request, vtkTetrahedraReport& report)
+Error TetrahedraRenderer::UpdateMesh(const Request& request, TetrahedraReport& report)
 {
   const MeshKey& before = this->MeshState;
   const TetrahedraArrays& arrays = request.Arrays;
@@ -98,11 +98,11 @@ Error TetrahedraRenderer::UpdateMesh(const Request& request, vtkTetrahedraReport
   {
     return {};
   }
-  report.ValuesTaken = true;
-  report.MeshMade = !before.Grid || !this->MeshBuilder.IsSame(request.Grid, arrays, this->Mesh);
+  report.ValuesUpdated = true;
+  report.MeshRebuilt = !before.Grid || !this->MeshBuilder.IsSame(request.Grid, arrays, this->Mesh);
   this->MeshState = MeshKey();
   this->Property = nullptr;
-  if (report.MeshMade)
+  if (report.MeshRebuilt)
   {
     this->Boundary = nullptr;
     BoundaryFaces::Clear(this->Fields);
@@ -165,7 +165,7 @@ bool TetrahedraRenderer::FindOneColor() const
     { return std::equal(color.begin(), color.begin() + 3, colors[0].begin()); });
 }
 
-void TetrahedraRenderer::ChooseBlend(const Request& request, vtkTetrahedraReport& report)
+void TetrahedraRenderer::ChooseBlend(const Request& request, TetrahedraReport& report)
 {
   report.BlendMode = request.Mapper->GetBlendMode();
   report.BlendReason = "as asked for";
@@ -181,7 +181,7 @@ void TetrahedraRenderer::ChooseBlend(const Request& request, vtkTetrahedraReport
 }
 
 void TetrahedraRenderer::ChoosePath(
-  const Request& request, vtkOpenGLRenderWindow* window, vtkTetrahedraReport& report)
+  const Request& request, vtkOpenGLRenderWindow* window, TetrahedraReport& report)
 {
   report.RenderPath = request.Mapper->GetRenderPath();
   report.PathReason = "as asked for";
@@ -195,7 +195,7 @@ void TetrahedraRenderer::ChoosePath(
 }
 
 void TetrahedraRenderer::ChooseShader(
-  const Request& request, vtkOpenGLRenderWindow* window, vtkTetrahedraReport& report)
+  const Request& request, vtkOpenGLRenderWindow* window, TetrahedraReport& report)
 {
   this->Frame.IsPulled = false;
   if (report.RenderPath != Mapper::OPENGL_PATH)
@@ -214,7 +214,7 @@ void TetrahedraRenderer::ChooseShader(
   this->Frame.IsPulled = report.SilhouetteShader == Mapper::VERTEX_SHADER;
 }
 
-void TetrahedraRenderer::ChooseSort(const Request& request, vtkTetrahedraReport& report)
+void TetrahedraRenderer::ChooseSort(const Request& request, TetrahedraReport& report)
 {
   report.SortMode = Mapper::NO_SORT;
   if (report.BlendMode != Mapper::COMPOSITE_BLEND)
@@ -248,7 +248,7 @@ void TetrahedraRenderer::ChooseSort(const Request& request, vtkTetrahedraReport&
 }
 
 const std::vector<std::uint32_t>* TetrahedraRenderer::UpdateOrder(
-  const Request& request, vtkTetrahedraReport& report)
+  const Request& request, TetrahedraReport& report)
 {
   const std::vector<std::uint32_t>* order = nullptr;
   report.Passes = 1;
@@ -277,7 +277,7 @@ const std::vector<std::uint32_t>* TetrahedraRenderer::UpdateOrder(
 }
 
 int TetrahedraRenderer::ChooseLevel(
-  vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report)
+  vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report)
 {
   const std::array<int, 3> conditions{ { report.RenderPath, renderer->GetSize()[0],
     renderer->GetSize()[1] } };
@@ -297,7 +297,7 @@ int TetrahedraRenderer::ChooseLevel(
 }
 
 Error TetrahedraRenderer::UpdateFrame(
-  vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report)
+  vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report)
 {
   if (Error error = this->Frame.View.Set(renderer, volume, this->Mesh, report.PixelStride))
   {
@@ -352,7 +352,7 @@ Error TetrahedraRenderer::ClipMesh(const Request& request, const std::vector<std
 }
 
 void TetrahedraRenderer::DrawFrame(
-  vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, vtkTetrahedraReport& report)
+  vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, TetrahedraReport& report)
 {
   if (report.RenderPath == Mapper::OPENGL_PATH)
   {
@@ -383,7 +383,7 @@ TetrahedraRenderer::WindowResources& TetrahedraRenderer::GetResources(vtkWindow*
   return *resources;
 }
 
-void TetrahedraRenderer::CountTetrahedra(const Request& request, vtkTetrahedraReport& report) const
+void TetrahedraRenderer::CountTetrahedra(const Request& request, TetrahedraReport& report) const
 {
   report.Tetrahedra = request.Grid->GetNumberOfCells();
   report.FlatTetrahedra = this->MeshBuilder.GetNumberOfFlat();
@@ -391,7 +391,7 @@ void TetrahedraRenderer::CountTetrahedra(const Request& request, vtkTetrahedraRe
 }
 
 Error TetrahedraRenderer::Render(
-  vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report)
+  vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report)
 {
   const double start = vtkTimerLog::GetUniversalTime();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -449,7 +449,7 @@ Error TetrahedraRenderer::Render(
 }
 
 Error TetrahedraRenderer::DrawWithOpenGL(
-  vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, vtkTetrahedraReport& report)
+  vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, TetrahedraReport& report)
 {
   Error error = resources.Rasterizer.Draw(renderer, this->Frame,
     SceneDepth::MayOcclude(renderer, volume) || this->IsCutByFarPlane(), report);
@@ -459,7 +459,7 @@ Error TetrahedraRenderer::DrawWithOpenGL(
 }
 
 void TetrahedraRenderer::DrawInSoftware(
-  vtkRenderer* renderer, WindowResources& resources, vtkTetrahedraReport& report)
+  vtkRenderer* renderer, WindowResources& resources, TetrahedraReport& report)
 {
   this->ReadDepth(renderer);
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -486,7 +486,7 @@ void TetrahedraRenderer::DrawInSoftware(
 }
 
 Error TetrahedraRenderer::UpdatePiece(
-  vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report)
+  vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report)
 {
   if (!request.Grid)
   {
@@ -520,7 +520,7 @@ std::vector<int> TetrahedraRenderer::FindPieceOrder(
 }
 
 Error TetrahedraRenderer::RenderPieces(vtkRenderer* renderer, vtkVolume* volume,
-  const Request& request, vtkOpenGLRenderWindow& window, vtkTetrahedraReport& report)
+  const Request& request, vtkOpenGLRenderWindow& window, TetrahedraReport& report)
 {
   const PieceExchange& pieces = *request.Pieces;
   WindowResources& resources = this->GetResources(&window);
@@ -623,7 +623,7 @@ void TetrahedraRenderer::DrawSelection(
 }
 
 void TetrahedraRenderer::UpdateBoundary(
-  vtkRenderer* renderer, const Request& request, vtkTetrahedraReport& report)
+  vtkRenderer* renderer, const Request& request, TetrahedraReport& report)
 {
   this->Frame.Surface = nullptr;
   if (!request.Boundary)

@@ -7,6 +7,7 @@
 #include "Frame/BoundaryShading.h"
 #include "Frame/PlaneClip.h"
 #include "Frame/TetrahedraFrame.h"
+#include "Frame/TetrahedraReport.h"
 #include "Mesh/MeshBuilder.h"
 #include "Mesh/TetrahedraBuilder.h"
 #include "Order/BoundaryFaces.h"
@@ -14,7 +15,6 @@
 #include "Software/SoftwareRasterizer.h"
 #include "View/TetrahedraDepth.h"
 
-#include "vtkTetrahedraReport.h"
 #include "vtkType.h"
 
 #include <array>
@@ -65,7 +65,7 @@ public:
    * Draws and reports. Returns an error if something cannot be drawn.
    */
   Error Render(
-    vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report);
+    vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -77,42 +77,39 @@ private:
   WindowResources& GetResources(vtkWindow* window);
   /// Rebuilds the mesh, or only its values if the mesh is the same. Returns an error if the grid
   /// cannot be drawn.
-  Error UpdateMesh(const Request& request, vtkTetrahedraReport& report);
-  void CountTetrahedra(const Request& request, vtkTetrahedraReport& report) const;
+  Error UpdateMesh(const Request& request, TetrahedraReport& report);
+  void CountTetrahedra(const Request& request, TetrahedraReport& report) const;
   Error UpdateColors(const Request& request, vtkVolumeProperty* property, double unit);
-  void ChooseBlend(const Request& request, vtkTetrahedraReport& report);
-  void ChoosePath(
-    const Request& request, vtkOpenGLRenderWindow* window, vtkTetrahedraReport& report);
+  void ChooseBlend(const Request& request, TetrahedraReport& report);
+  void ChoosePath(const Request& request, vtkOpenGLRenderWindow* window, TetrahedraReport& report);
   void ChooseShader(
-    const Request& request, vtkOpenGLRenderWindow* window, vtkTetrahedraReport& report);
-  void ChooseSort(const Request& request, vtkTetrahedraReport& report);
+    const Request& request, vtkOpenGLRenderWindow* window, TetrahedraReport& report);
+  void ChooseSort(const Request& request, TetrahedraReport& report);
   /// Returns the level of detail, which is 0 for whole pictures.
   int ChooseLevel(
-    vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report);
+    vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report);
   /// Updates the changed parts of this image. Returns an error if it cannot be drawn.
   Error UpdateFrame(
-    vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report);
+    vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report);
   /// Cuts the mesh at the near plane and the clipping planes, and sets the order that is drawn.
   /// Returns an error if a clipping plane is not valid.
   Error ClipMesh(const Request& request, const std::vector<std::uint32_t>* order);
-  void DrawFrame(vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources,
-    vtkTetrahedraReport& report);
+  void DrawFrame(
+    vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, TetrahedraReport& report);
   bool FindOneColor() const;
-  const std::vector<std::uint32_t>* UpdateOrder(
-    const Request& request, vtkTetrahedraReport& report);
-  Error DrawWithOpenGL(vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources,
-    vtkTetrahedraReport& report);
-  void DrawInSoftware(
-    vtkRenderer* renderer, WindowResources& resources, vtkTetrahedraReport& report);
+  const std::vector<std::uint32_t>* UpdateOrder(const Request& request, TetrahedraReport& report);
+  Error DrawWithOpenGL(
+    vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, TetrahedraReport& report);
+  void DrawInSoftware(vtkRenderer* renderer, WindowResources& resources, TetrahedraReport& report);
   /// Draws the picture of all pieces, together with the other processes.
   Error RenderPieces(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
-    vtkOpenGLRenderWindow& window, vtkTetrahedraReport& report);
+    vtkOpenGLRenderWindow& window, TetrahedraReport& report);
   /// Returns the order of the processes from the nearest on; none where the blend mode needs none.
   static std::vector<int> FindPieceOrder(
     vtkRenderer* renderer, vtkVolume* volume, const PieceExchange& pieces);
   /// Updates the changed parts of this process's piece. Returns an error if it cannot be drawn.
   Error UpdatePiece(
-    vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report);
+    vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report);
   void Select(vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources);
   void DrawSelection(
     vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources);
@@ -121,7 +118,7 @@ private:
   void PlaceDepth();
   /// Returns whether a point of the mesh is beyond the far plane.
   bool IsCutByFarPlane() const;
-  void UpdateBoundary(vtkRenderer* renderer, const Request& request, vtkTetrahedraReport& report);
+  void UpdateBoundary(vtkRenderer* renderer, const Request& request, TetrahedraReport& report);
   std::string GetFeatures() const;
   vtkIdType GetMemoryBytes() const;
 

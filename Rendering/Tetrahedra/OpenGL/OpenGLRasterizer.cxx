@@ -136,7 +136,7 @@ std::string OpenGLRasterizer::GetFeatures(const TetrahedraFrame& frame, bool has
 }
 
 void OpenGLRasterizer::Upload(
-  vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame, vtkTetrahedraReport& report)
+  vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame, TetrahedraReport& report)
 {
   using Changes = TetrahedraFrame::Changes;
   const TetrahedraMesh& mesh = *frame.Mesh;
@@ -512,7 +512,7 @@ void OpenGLRasterizer::DeactivateBuffers()
 }
 
 Error OpenGLRasterizer::Draw(
-  vtkRenderer* renderer, const TetrahedraFrame& frame, bool hasOpaque, vtkTetrahedraReport& report)
+  vtkRenderer* renderer, const TetrahedraFrame& frame, bool hasOpaque, TetrahedraReport& report)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
@@ -556,7 +556,7 @@ Error OpenGLRasterizer::Draw(
 }
 
 void OpenGLRasterizer::ReportBuffers(
-  const TetrahedraFrame& frame, bool hasOpaque, vtkTetrahedraReport& report)
+  const TetrahedraFrame& frame, bool hasOpaque, TetrahedraReport& report)
 {
   const vtkIdType sums = frame.Blend == TetrahedraFrame::PRIORITY ? 2 : 1;
   const vtkIdType pixels = static_cast<vtkIdType>(frame.View.GetWidth()) * frame.View.GetHeight();

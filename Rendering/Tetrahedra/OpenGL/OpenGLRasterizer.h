@@ -4,11 +4,11 @@
 
 #include "Common/Error.h"
 #include "Frame/TetrahedraFrame.h"
+#include "Frame/TetrahedraReport.h"
 #include "Offscreen/ImageQuad.h"
 #include "OpenGL/TextureBuffer.h"
 
 #include "vtkNew.h"
-#include "vtkTetrahedraReport.h"
 
 #include <map>
 #include <string>
@@ -49,8 +49,8 @@ public:
    * Draws an image. \a hasOpaque is true if the scene has opaque surfaces. Returns an error if
    * OpenGL fails.
    */
-  Error Draw(vtkRenderer* renderer, const TetrahedraFrame& frame, bool hasOpaque,
-    vtkTetrahedraReport& report);
+  Error Draw(
+    vtkRenderer* renderer, const TetrahedraFrame& frame, bool hasOpaque, TetrahedraReport& report);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -58,7 +58,7 @@ private:
   std::string GetFeatures(const TetrahedraFrame& frame, bool hasOpaque) const;
   /// Uploads what has changed.
   void Upload(
-    vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame, vtkTetrahedraReport& report);
+    vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame, TetrahedraReport& report);
   ///@{
   /// Upload an array, the arrays and the image of boundary triangles, and indices. Return the
   /// bytes.
@@ -86,7 +86,7 @@ private:
     std::size_t number);
   void Resolve(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
     vtkTextureObject* texture, bool isResolved);
-  void ReportBuffers(const TetrahedraFrame& frame, bool hasOpaque, vtkTetrahedraReport& report);
+  void ReportBuffers(const TetrahedraFrame& frame, bool hasOpaque, TetrahedraReport& report);
 
   static constexpr TetrahedraFrame::Changes NONE{ -1, -1, -1, -1, -1, -1 };
   /// The versions of what was uploaded, and the planes that cut it.

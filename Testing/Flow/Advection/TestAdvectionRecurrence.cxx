@@ -169,9 +169,9 @@ void TestHill(Check& check)
   field->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_FIELD);
   field->AddTerminationSurface(plane);
   field->Update();
-  const vtkFlowReport& report = field->GetReport();
-  const vtkIdType closed = report.Statuses[vtkFlowStatus::CLOSED_ORBIT];
-  const vtkIdType out = report.Statuses[vtkFlowStatus::OUT_OF_STEPS];
+  vtkInterlumeReport* report = field->GetReport();
+  const vtkIdType closed = report->GetNumber("Statuses", vtkFlowStatus::CLOSED_ORBIT);
+  const vtkIdType out = report->GetNumber("Statuses", vtkFlowStatus::OUT_OF_STEPS);
   check.That(closed > 1000, "closed orbits: " + std::to_string(closed));
   check.That(out < closed / 4, "out of steps: " + std::to_string(out));
 }

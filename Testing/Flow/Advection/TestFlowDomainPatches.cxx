@@ -133,8 +133,8 @@ void TestRing(Check& check)
   vtkDataSet* output = Follow(filter, ring);
   check.Equal(output->GetFieldData()->GetArray(vtkFlowStatus::SurfacesArray())->GetNumberOfTuples(),
     4, "patches of a ring");
-  check.Equal(filter->GetReport().Reached.size(), 1, "patches that are reached");
-  check.Equal(filter->GetReport().Reached.begin()->second, ring->GetNumberOfPoints(),
+  check.Equal(filter->GetReport()->GetSize("SurfaceIds"), 1, "patches that are reached");
+  check.Near(filter->GetReport()->GetNumber("SamplesBySurface"), ring->GetNumberOfPoints(), 0.0,
     "samples that reach the outside");
 }
 

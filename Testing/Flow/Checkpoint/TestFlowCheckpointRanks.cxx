@@ -59,7 +59,7 @@ void TestRanks(Check& check, vtkMultiProcessController* controller)
   vtkNew<vtkImplicitFlowField> filter;
   Update(filter, controller);
   const std::string whole = GetBytes(filter);
-  check.That(filter->GetReport().WholeFieldReason.empty(), "the field is in parts");
+  check.That(filter->GetReport()->GetText("WholeFieldReason").empty(), "the field is in parts");
 
   const std::string name =
     (std::filesystem::temp_directory_path() / "TestFlowCheckpointRanks.vtt").string();
@@ -80,7 +80,7 @@ void TestRanks(Check& check, vtkMultiProcessController* controller)
   resumed->SetCheckpointFileName(name.c_str());
   Update(resumed, controller);
   check.That(GetBytes(resumed) == whole, "the bytes of a run without a stop");
-  check.That(resumed->GetReport().ResumedStreamlines > 0, "streamlines of the file");
+  check.That(resumed->GetReport()->GetNumber("ResumedStreamlines") > 0, "streamlines of the file");
   check.That(!std::filesystem::exists(own), "the file is removed");
 }
 

@@ -1,29 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkFlowReport: what a sample adds, what another report adds, and what is printed.
+// interlume::FlowReport: what a sample adds, what another report adds, and the values it is copied
+// to.
 #include "Support/Checks/ReferenceCheck.h"
-#include "Support/Checks/ReferenceProgress.h"
 
 #include "Advection/AdvectionOptions.h"
-#include "vtkFlowReport.h"
+#include "Streams/FlowReport.h"
 
-#include <sstream>
-#include <string>
-#include <vector>
+#include "vtkInterlumeReport.h"
+#include "vtkNew.h"
 
 namespace
 {
 
 using namespace reference;
 
-std::string Print(const vtkFlowReport& report)
-{
-  std::ostringstream text;
-  report.Print(text, vtkIndent());
-  return text.str();
-}
-
 /// Two samples that reached a surface, one that did not, no two numbers alike.
-vtkFlowReport MakeReport()
+interlume::FlowReport MakeReport()
 {
   interlume::AdvectionResult result;
   result.Status = vtkFlowStatus::REACHED_SURFACE;
@@ -37,7 +29,7 @@ vtkFlowReport MakeReport()
   result.DistanceEvaluations = 17;
   result.Cells = 18;
   result.Nearness = 0.5;
-  vtkFlowReport report;
+  interlume::FlowReport report;
   report.Add(result);
   result.StiffSteps = 0;
   result.Nearness = 0.0;
@@ -48,19 +40,29 @@ vtkFlowReport MakeReport()
   return report;
 }
 
-void CheckLines(const vtkFlowReport& report, int times, Check& check)
+void CheckValues(const interlume::FlowReport& report, int times, Check& check)
 {
-  const auto line = [times](const std::string& name, int number)
-  { return name + ": " + std::to_string(number * times) + "\n"; };
-  CheckPrinted(Print(report),
-    { line("Samples", 3), line("Samples, reached surface", 2), line("Samples, left domain", 1),
-      line("Samples, stagnated", 0), line("Reached surface 7", 2),
-      line("ReachedWithinTolerance", 1), line("\nSteps", 22), line("\nRejectedSteps", 24),
-      line("\nStiffSteps", 13), line("RejectedStiffSteps", 28), line("StiffSamples", 1),
-      line("\nEvaluations", 30), line("JacobianEvaluations", 32), line("DistanceEvaluations", 34),
-      line("CellsVisited", 36) },
-    check);
-  check.Equal(report.Reached.size(), 1, "surfaces reached");
+  vtkNew<vtkInterlumeReport> values;
+  report.CopyTo(values);
+  const auto expect = [&](const char* name, int number, int entry = 0)
+  { check.Near(values->GetNumber(name, entry), number * times, 0.0, name); };
+  expect("Samples", 3);
+  expect("Statuses", 2, vtkFlowStatus::REACHED_SURFACE);
+  expect("Statuses", 1, vtkFlowStatus::LEFT_DOMAIN);
+  expect("Statuses", 0, vtkFlowStatus::STAGNATED);
+  expect("SamplesBySurface", 2);
+  expect("ReachedWithinTolerance", 1);
+  expect("Steps", 22);
+  expect("RejectedSteps", 24);
+  expect("StiffSteps", 13);
+  expect("RejectedStiffSteps", 28);
+  expect("StiffSamples", 1);
+  expect("Evaluations", 30);
+  expect("JacobianEvaluations", 32);
+  expect("DistanceEvaluations", 34);
+  expect("CellsVisited", 36);
+  check.Equal(values->GetSize("SurfaceIds"), 1, "surfaces reached");
+  check.Near(values->GetNumber("SurfaceIds"), 7, 0.0, "the surface's id");
 }
 
 }
@@ -68,15 +70,24 @@ void CheckLines(const vtkFlowReport& report, int times, Check& check)
 int TestFlowReport(int, char*[])
 {
   Check check;
-  vtkFlowReport report = MakeReport();
-  CheckLines(report, 1, check);
+  interlume::FlowReport report = MakeReport();
+  CheckValues(report, 1, check);
   report.Add(MakeReport());
   report.Add(MakeReport());
-  CheckLines(report, 3, check);
+  CheckValues(report, 3, check);
   report.Executions = 41;
   report.MaximumError = 0.125;
   report.MinimumSpeed = 0.25;
-  CheckPrinted(
-    Print(report), { "Executions: 41\n", "MaximumError: 0.125\n", "MinimumSpeed: 0.25\n" }, check);
+  report.WholeFieldReason = "a reason";
+  report.StepsPerProcess = { 5, 6 };
+  report.Sampling.Time = { 0.5, 1.5, 2.5 };
+  vtkNew<vtkInterlumeReport> values;
+  report.CopyTo(values);
+  check.Near(values->GetNumber("Executions"), 41, 0.0, "executions");
+  check.Near(values->GetNumber("MaximumError"), 0.125, 0.0, "error");
+  check.Near(values->GetNumber("MinimumSpeed"), 0.25, 0.0, "speed");
+  check.That(values->GetText("WholeFieldReason") == "a reason", "the reason");
+  check.Near(values->GetNumber("StepsPerProcess", 1), 6, 0.0, "steps of a process");
+  check.Near(values->GetNumber("SamplingErrorTime", 2), 2.5, 0.0, "largest error of time");
   return check.Result();
 }

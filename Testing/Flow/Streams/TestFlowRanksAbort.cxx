@@ -59,7 +59,7 @@ void TestAbort(Check& check, vtkMultiProcessController* controller, int aborting
   vtkNew<vtkImplicitFlowField> whole;
   set(whole);
   update(whole);
-  check.That(whole->GetReport().WholeFieldReason.empty(), "the field is in parts");
+  check.That(whole->GetReport()->GetText("WholeFieldReason").empty(), "the field is in parts");
   const std::vector<double> expected = GetTimes(whole);
   check.That(!expected.empty(), "there are answers");
 

@@ -180,12 +180,12 @@ void CheckReport(Check& check)
   vtkNew<vtkTerminationSurfaceSource> source;
   source->SetSurface(sphere);
   source->Update();
-  const vtkTerminationSurfaceSourceReport& report = source->GetReport();
-  check.Equal(report.Parts, 1, "parts of a sphere");
-  check.Equal(report.Points, 33 * 33, "points of a sphere");
-  check.Equal(report.BorderPoints, 0, "a sphere has no border");
-  check.Equal(report.Triangles, 2 * 32 * 31, "triangles of a sphere");
-  check.Equal(report.FlatTriangles, 2 * 32, "flat triangles at two poles");
+  vtkInterlumeReport* report = source->GetReport();
+  check.Near(report->GetNumber("Parts"), 1, 0.0, "parts of a sphere");
+  check.Near(report->GetNumber("Points"), 33 * 33, 0.0, "points of a sphere");
+  check.Near(report->GetNumber("BorderPoints"), 0, 0.0, "a sphere has no border");
+  check.Near(report->GetNumber("Triangles"), 2 * 32 * 31, 0.0, "triangles of a sphere");
+  check.Near(report->GetNumber("FlatTriangles"), 2 * 32, 0.0, "flat triangles at two poles");
   CheckPrinted(Print(source), { "Report:", "  Parts: 1", "  FlatTriangles: 64" }, check);
   // A diamond |2 u - 1| + |2 v - 1| <= 1 as texture, which no node of an odd grid lies on.
   TexturedMesh diamond;
@@ -211,12 +211,16 @@ void CheckReport(Check& check)
       crossings += j < n && isInside(i, j) != isInside(i, j + 1) ? 1 : 0;
     }
   }
-  check.Equal(report.BorderPoints, crossings, "points on the border of a diamond");
-  check.Equal(report.Points, inside + crossings, "points of a diamond");
-  check.Equal(report.Triangles, source->GetOutput()->GetNumberOfCells(), "triangles of a diamond");
+  check.Near(
+    report->GetNumber("BorderPoints"), crossings, 0.0, "points on the border of a diamond");
+  check.Near(report->GetNumber("Points"), inside + crossings, 0.0, "points of a diamond");
+  check.Near(report->GetNumber("Triangles"), source->GetOutput()->GetNumberOfCells(), 0.0,
+    "triangles of a diamond");
   source->SetSurface(nullptr);
   check.That(!MessagesOf(source).empty(), "no surface");
-  check.Equal(report.Parts + report.Points + report.Triangles, 0, "nothing after an error");
+  check.Near(
+    report->GetNumber("Parts") + report->GetNumber("Points") + report->GetNumber("Triangles"), 0,
+    0.0, "nothing after an error");
 }
 
 void CheckProgressOfSource(Check& check)

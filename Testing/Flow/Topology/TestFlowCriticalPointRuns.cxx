@@ -86,8 +86,8 @@ void CheckLeftOut(Check& check)
     mesh->GetPointCells(corner, cells);
     const CriticalPoints result(mesh);
     check.Equal(result.GetNumber(), 0, "in a cell that is not finite");
-    check.Equal(
-      result.Filter->GetReport().NonFiniteCells, cells->GetNumberOfIds(), "cells with such");
+    check.Near(result.Filter->GetReport()->GetNumber("NonFiniteCells"), cells->GetNumberOfIds(),
+      0.0, "cells with such");
   }
   check.SetContext("an empty cell");
   mesh = make();
@@ -100,7 +100,7 @@ void CheckLeftOut(Check& check)
   SetVelocity(mesh, [](const FlowVector&) { return FlowVector{}; });
   const CriticalPoints zero(mesh);
   check.Equal(zero.GetNumber(), 0, "in a field that is 0");
-  check.Equal(zero.Filter->GetReport().ZeroCells, 24, "cells that are 0");
+  check.Near(zero.Filter->GetReport()->GetNumber("ZeroCells"), 24, 0.0, "cells that are 0");
   CheckPrinted(Print(const_cast<vtkFlowCriticalPoints*>(zero.Filter.GetPointer())),
     { "ZeroCells: 24", "DegenerateCells: 0", "NonFiniteCells: 0" }, check);
 }

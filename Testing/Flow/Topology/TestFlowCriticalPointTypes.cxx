@@ -237,14 +237,16 @@ void CheckSources(Check& check)
     source->Update();
     const CriticalPoints rotation(source->GetOutput());
     check.Equal(rotation.GetNumber(), 0, "critical points");
-    check.Equal(rotation.Filter->GetReport().DegenerateCells, 35, "cells with a line of zeros");
+    check.Near(rotation.Filter->GetReport()->GetNumber("DegenerateCells"), 35, 0.0,
+      "cells with a line of zeros");
   }
   source->SetCenter(0.0, 0.0, 0.0);
   source->SetAxis(0.3, 0.2, 1.0);
   source->Update();
   const CriticalPoints oblique(source->GetOutput());
   check.Equal(oblique.GetNumber(), 0, "critical points of an oblique axis");
-  check.That(oblique.Filter->GetReport().DegenerateCells >= 35, "cells with its zeros");
+  check.That(
+    oblique.Filter->GetReport()->GetNumber("DegenerateCells") >= 35, "cells with its zeros");
 
   check.SetContext("shear");
   source->SetAxis(0.0, 0.0, 1.0);
@@ -253,7 +255,8 @@ void CheckSources(Check& check)
   source->Update();
   const CriticalPoints shear(source->GetOutput());
   check.Equal(shear.GetNumber(), 0, "critical points");
-  check.Equal(shear.Filter->GetReport().DegenerateCells, 39 * 37, "cells with a surface of zeros");
+  check.Near(shear.Filter->GetReport()->GetNumber("DegenerateCells"), 39 * 37, 0.0,
+    "cells with a surface of zeros");
 
   check.SetContext("sphere");
   source->SetCenter(0.0, 0.0, 0.0);
@@ -276,7 +279,8 @@ void CheckSources(Check& check)
     zero += isZero ? 1 : 0;
   }
   check.That(zero > 1000, "there are cells inside");
-  check.Equal(sphere.Filter->GetReport().ZeroCells, zero, "cells that are 0 throughout");
+  check.Near(
+    sphere.Filter->GetReport()->GetNumber("ZeroCells"), zero, 0.0, "cells that are 0 throughout");
 }
 
 }

@@ -44,13 +44,16 @@ public:
   {
     this->Expect.SetContext(name);
     this->Volume->Update();
-    const vtkFlowVolumeReport& report = this->Volume->GetReport();
-    this->Expect.Equal(report.Preparations, costs.Preparations, "preparations");
-    this->Expect.Equal(report.InflowPasses, costs.InflowPasses, "passes by Inflow");
-    this->Expect.Equal(report.TimePasses, costs.TimePasses, "passes by time");
-    this->Expect.Equal(report.SurfaceCuts, costs.SurfaceCuts, "cuts of stream surfaces");
-    this->Expect.Equal(report.NormalPasses, costs.NormalPasses, "passes for normals");
-    this->Expect.Equal(report.PointsOnSeams, 0, "points on seams");
+    vtkInterlumeReport* report = this->Volume->GetReport();
+    this->Expect.Near(report->GetNumber("Preparations"), costs.Preparations, 0.0, "preparations");
+    this->Expect.Near(
+      report->GetNumber("InflowPasses"), costs.InflowPasses, 0.0, "passes by Inflow");
+    this->Expect.Near(report->GetNumber("TimePasses"), costs.TimePasses, 0.0, "passes by time");
+    this->Expect.Near(
+      report->GetNumber("SurfaceCuts"), costs.SurfaceCuts, 0.0, "cuts of stream surfaces");
+    this->Expect.Near(
+      report->GetNumber("NormalPasses"), costs.NormalPasses, 0.0, "passes for normals");
+    this->Expect.Near(report->GetNumber("PointsOnSeams"), 0, 0.0, "points on seams");
     this->Expect.That(this->Volume->GetOutput()->GetNumberOfCells() > 0, "there is output");
   }
 

@@ -91,11 +91,14 @@ void CheckSaddle(int points, Check& check)
   check.Near(MeasureVolume(mesh, "IntervalId", 2), half, 0.02, "the other side");
   check.Near(MeasureArea(volume->GetOutput(1), "StreamSurfaceId", 2), 0.0, 1e-9, "no sheet", 1.0);
   const vtkIdType row = (points - 1) * 3;
-  const auto& report = volume->GetReport();
-  check.Equal(report.Cells, row * (points - 1), "cells");
-  check.Equal(report.CellsBetweenSurfaces, points % 2 == 0 ? row : 0, "cells between surfaces");
-  check.Equal(report.CellsWithoutAnswer, points % 2 == 0 ? 0 : 2 * row, "cells without answer");
-  check.Equal(report.CellsOnSeams + report.CellsAcrossSeams, 0, "no seams");
+  vtkInterlumeReport* report = volume->GetReport();
+  check.Near(report->GetNumber("Cells"), row * (points - 1), 0.0, "cells");
+  check.Near(report->GetNumber("CellsBetweenSurfaces"), points % 2 == 0 ? row : 0, 0.0,
+    "cells between surfaces");
+  check.Near(report->GetNumber("CellsWithoutResult"), points % 2 == 0 ? 0 : 2 * row, 0.0,
+    "cells without answer");
+  check.Near(
+    report->GetNumber("CellsOnSeams") + report->GetNumber("CellsAcrossSeams"), 0, 0.0, "no seams");
 }
 
 // The spread of a component of a point array in the tetrahedron with most.
@@ -210,14 +213,18 @@ void CheckCylinder(Check& check)
     check.That(
       GetLargestSpread(volume->GetOutput(), "TerminationUV", 0) < 0.3, "parameters are unwrapped");
     check.That(GetLargestAngleError(volume->GetOutput()) < 0.002, "u of every point");
-    const auto& report = volume->GetReport();
-    check.Equal(report.CellsAcrossSeams, counts[1] * (layers - 1), "cells across the seam");
-    check.Equal(report.CellsOnSeams + report.CellsAroundPoles, 0, "no others");
-    check.Equal(report.Cells - report.CellsWithoutAnswer, counts[0] * (layers - 1), "answers");
+    vtkInterlumeReport* report = volume->GetReport();
+    check.Near(report->GetNumber("CellsAcrossSeams"), counts[1] * (layers - 1), 0.0,
+      "cells across the seam");
+    check.Near(report->GetNumber("CellsOnSeams") + report->GetNumber("CellsAroundPoles"), 0, 0.0,
+      "no others");
+    check.Near(report->GetNumber("Cells") - report->GetNumber("CellsWithoutResult"),
+      counts[0] * (layers - 1), 0.0, "answers");
     if (!isClipped)
     {
-      check.Equal(volume->GetOutput()->GetNumberOfPoints(),
-        plain->GetOutput()->GetNumberOfPoints() + report.PointsOnSeams, "points are added");
+      check.Near(volume->GetOutput()->GetNumberOfPoints(),
+        plain->GetOutput()->GetNumberOfPoints() + report->GetNumber("PointsOnSeams"), 0.0,
+        "points are added");
     }
   }
   // Without a mapping the seam is no obstacle.
@@ -253,8 +260,9 @@ void CheckCylinder(Check& check)
   volume->SetInterval(0, 0.0, 0.5);
   volume->SetInterval(1, 0.5, 1.0);
   volume->Update();
-  check.Equal(volume->GetReport().CellsOnSeams, counts[1] * (layers - 1), "cells on the seam");
-  check.Equal(volume->GetReport().CellsAcrossSeams, 0, "none is continued over");
+  check.Near(volume->GetReport()->GetNumber("CellsOnSeams"), counts[1] * (layers - 1), 0.0,
+    "cells on the seam");
+  check.Near(volume->GetReport()->GetNumber("CellsAcrossSeams"), 0, 0.0, "none is continued over");
   vtkUnstructuredGrid* sheet = volume->GetOutput(1);
   for (const Triangle& triangle : TrianglesOf(sheet))
   {
@@ -309,8 +317,9 @@ void CheckTorus(Check& check)
     check.That(GetLargestSpread(mesh, "TerminationUV", 0) < 0.2, "u is unwrapped");
     check.That(GetLargestSpread(mesh, "TerminationUV", 1) < 0.2, "v is unwrapped");
     // One row of cells passes 1 in each direction.
-    check.Equal(volume->GetReport().CellsAcrossSeams, 3 * (14 + 16 - 1), "cells across seams");
-    check.That(volume->GetReport().PointsOnSeams > 0, "points are added");
+    check.Near(volume->GetReport()->GetNumber("CellsAcrossSeams"), 3 * (14 + 16 - 1), 0.0,
+      "cells across seams");
+    check.That(volume->GetReport()->GetNumber("PointsOnSeams") > 0, "points are added");
   }
 }
 
@@ -329,7 +338,7 @@ void CheckThreshold(Check& check)
     vtkNew<vtkFlowVolume> volume;
     volume->SetInputData(image);
     volume->Update();
-    check.Equal(volume->GetReport().CellsAcrossSeams, step > 0.5, "cells across");
+    check.Near(volume->GetReport()->GetNumber("CellsAcrossSeams"), step > 0.5, 0.0, "cells across");
     const double* range =
       volume->GetOutput()->GetPointData()->GetArray("TerminationUV")->GetRange(1);
     check.Near(range[0], step > 0.5 ? 0.3 + step : 0.3, 1e-12, "lowest");
@@ -353,7 +362,7 @@ void CheckPolyhedra(Check& check)
   volume->SetInputData(mesh);
   volume->SetTimeRange(0.5, 3.0);
   volume->Update();
-  check.Equal(volume->GetReport().CellsOnSeams, 16, "a layer of cells");
+  check.Near(volume->GetReport()->GetNumber("CellsOnSeams"), 16, 0.0, "a layer of cells");
   check.Near(MeasureVolume(volume->GetOutput()), 2.5 * 3.0 * 4.0, 1e-12, "volume of the others");
   check.That(GetLargestSpread(volume->GetOutput(), "TerminationUV", 0) < 0.21, "no jump");
 }
@@ -381,7 +390,7 @@ void CheckGhosts(Check& check)
     volume->SetInputData(form.Data);
     volume->Update();
     check.Near(MeasureVolume(volume->GetOutput()), (100.0 - 2.0) / 125.0, 1e-6, "volume");
-    check.Equal(volume->GetReport().CellsWithoutAnswer, 24, "those that count");
+    check.Near(volume->GetReport()->GetNumber("CellsWithoutResult"), 24, 0.0, "those that count");
     check.That(
       !volume->GetOutput()->GetCellData()->HasArray(vtkDataSetAttributes::GhostArrayName()),
       "no ghost array");

@@ -25,7 +25,7 @@ void CheckPrint(Check& check)
 {
   const std::vector<std::string> report = { "Cells", "CellsVisited", "CellsByBits",
     "CellsWithOutput", "LowerDimensionalCells", "NonFiniteCells", "BlankedCells", "LinearizedCells",
-    "ConcavePolyhedra", "UnsupportedCells", "CollapsedSimplices", "WholeCells", "WarpedFaces",
+    "ConcavePolyhedra", "UnsupportedCells", "CollapsedSimplices", "InteriorCells", "NonPlanarFaces",
     "ArraysInterpolated", "ArraysCopied", "Passes", "WorkingBytes", "ReusedBytes", "IdleBytes" };
   vtkNew<vtkIntervalVolume> volume;
   volume->SetInterval(0, 1.25, 2.5);

@@ -37,8 +37,8 @@ TimeSteps MakeSteps(const LatticeForm& form)
 }
 
 /// \a left cells of either slab are left out; \a count says which number of the report tells so.
-void CheckLeftOut(const TimeSteps& steps, const std::array<int, 2>& left,
-  vtkIdType vtkExtractionReport::*count, const std::string& what, Check& check)
+void CheckLeftOut(const TimeSteps& steps, const std::array<int, 2>& left, const char* count,
+  const std::string& what, Check& check)
 {
   const TimeVaryingExtraction found = ExtractTimeVarying(steps, { { { 0, 1 } } });
   double expected = 0;
@@ -51,8 +51,9 @@ void CheckLeftOut(const TimeSteps& steps, const std::array<int, 2>& left,
   }
   check.Near(static_cast<double>(MeasureWeighted(found.Tetrahedra).Sum), expected, 1e-12,
     what + ": tetrahedra");
-  check.Equal(found.Report.Cells, 2 * NumberOfCells, what + ": cells of all slabs");
-  check.Equal(found.Report.*count, left[0] + left[1], what + ": cells left out");
+  check.Near(
+    found.Report->GetNumber("Cells"), 2 * NumberOfCells, 0.0, what + ": cells of all slabs");
+  check.Near(found.Report->GetNumber(count), left[0] + left[1], 0.0, what + ": cells left out");
 }
 
 void SetGhost(const TimeSteps& steps, bool points, vtkIdType at, unsigned char flag)
@@ -72,7 +73,7 @@ void SetGhost(const TimeSteps& steps, bool points, vtkIdType at, unsigned char f
 void CheckForm(const LatticeForm& form, Check& check)
 {
   check.SetContext(form.Name);
-  const auto blanked = &vtkExtractionReport::BlankedCells;
+  const char* const blanked = "BlankedCells";
   CheckLeftOut(MakeSteps(form), { 0, 0 }, blanked, "nothing", check);
   for (unsigned char flag :
     { vtkDataSetAttributes::DUPLICATECELL, vtkDataSetAttributes::HIDDENCELL })
@@ -102,7 +103,7 @@ void CheckForm(const LatticeForm& form, Check& check)
     {
       steps = MakeSteps(form);
       GetDataSet(steps[at])->GetPointData()->GetScalars()->SetComponent(InnerPoint, 0, value);
-      CheckLeftOut(steps, left[at], &vtkExtractionReport::NonFiniteCells,
+      CheckLeftOut(steps, left[at], "NonFiniteCells",
         std::to_string(value) + " at step " + std::to_string(at), check);
     }
   }

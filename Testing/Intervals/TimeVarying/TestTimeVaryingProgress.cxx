@@ -73,7 +73,7 @@ void CheckPrint(Check& check)
     { "1.25", "2.5", "3.125", "4.75", "TimeStepRange", "17", "4711", "ProjectionDirection", "0.375",
       "0.6875", "5.5", "6.25", "GenerateTetrahedra", "GenerateSimplices", "GenerateBoundar",
       "OutputPointsPrecision", "TimeSteps", "Slabs", "Simplices", "FlatSimplices",
-      "InvertedSimplices", "TableLookups", "TableCasesMade", "Cells", "CellsVisited",
+      "InvertedSimplices", "TableLookups", "TableCasesComputed", "Cells", "CellsVisited",
       "NonFiniteCells", "BlankedCells", "CollapsedSimplices", "WorkingBytes" },
     check);
 }

@@ -2,8 +2,9 @@
 #ifndef ReferenceExtraction_h
 #define ReferenceExtraction_h
 
-#include "vtkExtractionReport.h" // for the report
-#include "vtkSmartPointer.h"     // for the output
+#include "Support/Checks/ReferenceReport.h" // for the report
+
+#include "vtkSmartPointer.h" // for the output
 
 #include <array>  // for intervals
 #include <vector> // for intervals
@@ -23,7 +24,7 @@ struct Extraction
 {
   vtkSmartPointer<vtkUnstructuredGrid> Volume;  ///< port 0
   vtkSmartPointer<vtkUnstructuredGrid> Surface; ///< port 1 with its boundaries on
-  vtkExtractionReport Report;
+  ReportCopy Report;
 };
 
 Extraction ExtractIntervals(vtkDataSet* data, const std::vector<Interval>& intervals);
@@ -31,7 +32,7 @@ Extraction ExtractIntervals(vtkDataSet* data, const std::vector<Interval>& inter
 struct ContourExtraction
 {
   vtkSmartPointer<vtkUnstructuredGrid> Surface;
-  vtkExtractionReport Report;
+  ReportCopy Report;
 };
 
 ContourExtraction ExtractContours(vtkDataSet* data, const std::vector<double>& values);

@@ -127,7 +127,8 @@ private:
     const auto error = [&](const HypervolumeSum& sum)
     { return static_cast<double>(std::abs(sum.Sum - domain) / domain); };
     this->Counts.Simplices += simplices.Count;
-    this->Counts.Inverted += this->Found.Report.InvertedSimplices;
+    this->Counts.Inverted +=
+      static_cast<long long>(this->Found.Report->GetNumber("InvertedSimplices"));
     this->Counts.Tetrahedra += weighted.Count;
     this->Counts.Error = std::max(this->Counts.Error, error(simplices));
     this->Counts.WeightedError = std::max(this->Counts.WeightedError, error(weighted));

@@ -7,7 +7,6 @@
 #include "Support/TimeVarying/ReferenceTimeSteps.h" // for the steps
 
 #include "vtkNew.h"                       // for the pipeline
-#include "vtkTimeVaryingReport.h"         // for the report
 #include "vtkTimeVaryingIntervalVolume.h" // for the pipeline
 
 #include <array>  // for the direction
@@ -43,7 +42,7 @@ struct TimeVaryingExtraction
   vtkSmartPointer<vtkUnstructuredGrid> Tetrahedra; ///< port 0
   vtkSmartPointer<vtkUnstructuredGrid> Boundaries; ///< port 1
   vtkSmartPointer<vtkUnstructuredGrid> Simplices;  ///< port 2
-  vtkTimeVaryingReport Report;
+  ReportCopy Report;
 };
 
 /// The filter under test run once over the active scalars.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Suites/BenchParts.h"
 
+#include "Benchmarks/Flow/FlowMethods.h"
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Measures/TemporaryFolder.h"
 
@@ -61,8 +62,8 @@ void AddCheckpointRows(const BenchOptions& options, BenchRows& rows)
     BenchRow row = rows.Make(
       "hurricane-" + std::to_string(samples), methods[i], ThreadsParameter(options.Threads));
     row.SetTimes(seconds[i], "without", seconds[0]);
-    row.Set({ { "samples", filters[i]->GetReport().Samples },
-      { "written", filters[i]->GetReport().Checkpoints } });
+    row.Set({ { "samples", GetCount(filters[i]->GetReport(), "Samples") },
+      { "written", GetCount(filters[i]->GetReport(), "Checkpoints") } });
     rows.Add(row);
   }
 }

@@ -2,6 +2,7 @@
 #include "Benchmarks/Suites/BenchParts.h"
 
 #include "Benchmarks/Flow/ExplicitFlowVolume.h"
+#include "Benchmarks/Flow/FlowMethods.h"
 #include "Benchmarks/Flow/FlowTubes.h"
 #include "Benchmarks/Measures/BenchTiming.h"
 
@@ -103,7 +104,7 @@ void AddImplicit(
   };
   BenchRow row = rows.Make(tube.Name, levels > 0 ? Refined : Implicit, samples);
   row.Seconds = TimeOnce(work);
-  row.Counts["streamlines"] = pipeline.Field->GetReport().Samples;
+  row.Counts["streamlines"] = GetCount(pipeline.Field->GetReport(), "Samples");
   const BenchSeconds seconds = MeasureAlternately({ again }, options.GetRepeats()).front();
   SetErrors(tube, pipeline.Volume->GetOutput(), row);
   rows.Add(row);

@@ -85,8 +85,8 @@ Answer ReadAdvection(const Case& what, vtkImplicitFlowField* filter)
       box->EvaluatePoint(static_cast<int>(ids->GetTuple1(i)), uv, end.Place.data());
     }
   }
-  const vtkFlowReport& report = filter->GetReport();
-  answer.Steps = report.Steps + report.StiffSteps;
+  vtkInterlumeReport* report = filter->GetReport();
+  answer.Steps = GetCount(report, "Steps") + GetCount(report, "StiffSteps");
   return answer;
 }
 

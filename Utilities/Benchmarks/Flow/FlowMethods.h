@@ -7,6 +7,7 @@
 #include "Benchmarks/Measures/BenchTiming.h"
 
 #include "vtkImplicitFlowField.h"
+#include "vtkInterlumeReport.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamTracer.h"
 #include "vtkType.h"
@@ -52,6 +53,12 @@ struct Answer
 vtkSmartPointer<vtkImplicitFlowField> NewAdvection(
   const Case& what, int integrator, double tolerance);
 Answer ReadAdvection(const Case& what, vtkImplicitFlowField* filter);
+
+/// Returns a count of a report, as an integer for JSON.
+inline vtkIdType GetCount(vtkInterlumeReport* report, const char* name)
+{
+  return static_cast<vtkIdType>(report->GetNumber(name));
+}
 
 /// Wall seconds of an update by one thread.
 BenchSeconds RunOnce(vtkAlgorithm* filter);

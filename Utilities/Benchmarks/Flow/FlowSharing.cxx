@@ -78,7 +78,7 @@ Errors FindErrors(const Case& what, vtkImplicitFlowField* all, vtkImplicitFlowFi
 {
   const Answer exact = ReadAdvection(what, all);
   const Answer found = ReadAdvection(what, some);
-  const double speed = some->GetReport().MaximumSpeed;
+  const double speed = some->GetReport()->GetNumber("MaximumSpeed");
   Errors errors;
   for (std::size_t i = 0; i < exact.Ends.size(); ++i)
   {
@@ -121,18 +121,20 @@ void AddRow(const Case& what, vtkImageData* samples, double tolerance, BenchRows
   some->ShareStreamlinesOn();
   const std::vector<BenchSeconds> seconds =
     MeasureAlternately({ WithThreads(1, Again(some)), WithThreads(1, Again(all)) }, 3);
-  const vtkFlowReport& report = some->GetReport();
+  vtkInterlumeReport* report = some->GetReport();
   const Errors errors = FindErrors(what, all, some);
-  const auto number = static_cast<double>(report.Samples);
+  const double number = report->GetNumber("Samples");
   BenchRow row = rows.Make(what.Name, Shared, tolerance);
   row.SetTimes(seconds[0].OfProcessor(), "all streamlines", seconds[1].OfProcessor());
-  row.Set({ { "samples", report.Samples },
-    { "share", static_cast<double>(report.SharedSamples) / number },
+  row.Set({ { "samples", GetCount(report, "Samples") },
+    { "share", report->GetNumber("InterpolatedSamples") / number },
     { "median", errors.GetQuantile(0.5) }, { "q99", errors.GetQuantile(0.99) },
     { "q999", errors.GetQuantile(0.999) }, { "largest", errors.GetQuantile(1.0) },
-    { "within", static_cast<double>(errors.Within) / number }, { "checks", report.SharedChecks },
-    { "largest_checked_error", report.LargestSharedError }, { "steps", report.Steps },
-    { "peer_steps", all->GetReport().Steps } });
+    { "within", static_cast<double>(errors.Within) / number },
+    { "checks", GetCount(report, "InterpolationChecks") },
+    { "largest_checked_error", report->GetNumber("LargestInterpolationError") },
+    { "steps", GetCount(report, "Steps") },
+    { "peer_steps", GetCount(all->GetReport(), "Steps") } });
   rows.Add(row);
 }
 

@@ -178,7 +178,8 @@ private:
     row.SetTimes(seconds[0], std::string(Peer) + "-" + settings.GetName(), seconds[1]);
     row.Set({ { "processor_seconds", seconds[0].Processor },
       { "peer_processor_seconds", seconds[1].Processor },
-      { "kept_faces", known->GetReport().KeptFaces }, { "peer_error", other.Apart.Mean } });
+      { "kept_faces", GetCount(known->GetReport(), "ReusedFaceMatches") },
+      { "peer_error", other.Apart.Mean } });
     this->Rows.Add(row);
   }
 

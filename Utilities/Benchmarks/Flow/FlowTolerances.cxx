@@ -121,11 +121,11 @@ void AddOwnRows(const FieldCase& field, const BenchOptions& options, std::vector
     BenchRow& row = trial.Row;
     SetErrors(field, options, ReadAdvection(field.What, trial.Filter),
       10.0 * trial.Filter->GetMaximumError(), row);
-    const vtkFlowReport& report = trial.Filter->GetReport();
-    row.Set({ { "samples", report.Samples }, { "steps", report.Steps },
-      { "stiff_steps", report.StiffSteps },
-      { "rejected", report.RejectedSteps + report.RejectedStiffSteps },
-      { "evaluations", report.Evaluations } });
+    vtkInterlumeReport* report = trial.Filter->GetReport();
+    row.Set({ { "samples", GetCount(report, "Samples") }, { "steps", GetCount(report, "Steps") },
+      { "stiff_steps", GetCount(report, "StiffSteps") },
+      { "rejected", GetCount(report, "RejectedSteps") + GetCount(report, "RejectedStiffSteps") },
+      { "evaluations", GetCount(report, "Evaluations") } });
     rows.Add(row);
   }
 }

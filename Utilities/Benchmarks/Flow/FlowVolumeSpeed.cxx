@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Suites/BenchParts.h"
 
+#include "Benchmarks/Flow/FlowMethods.h"
 #include "Benchmarks/Measures/BenchTiming.h"
 
 #include "vtkFlowStatus.h"
@@ -89,16 +90,18 @@ BenchSeconds AddSamples(
       volumes.Field->Update();
       return vtkSmartPointer<vtkObjectBase>(volumes.Field->GetOutputDataObject(0));
     }));
-  const vtkFlowReport& report = volumes.Field->GetReport();
+  vtkInterlumeReport* report = volumes.Field->GetReport();
   BenchRow row = rows.Make(name, "samples", ThreadsParameter(options.Threads));
   row.Seconds = seconds;
-  row.Set({ { "samples", report.Samples }, { "steps", report.Steps + report.StiffSteps },
-    { "lane_steps", report.LaneSteps },
-    { "steps_per_second", static_cast<double>(report.Steps + report.StiffSteps) / seconds },
-    { "microseconds_per_sample", 1e6 * seconds / static_cast<double>(report.Samples) },
-    { "reached",
-      static_cast<double>(report.Statuses[vtkFlowStatus::REACHED_SURFACE]) /
-        static_cast<double>(report.Samples) } });
+  const vtkIdType samples = GetCount(report, "Samples");
+  const vtkIdType steps = GetCount(report, "Steps") + GetCount(report, "StiffSteps");
+  row.Set(
+    { { "samples", samples }, { "steps", steps }, { "lane_steps", GetCount(report, "SimdSteps") },
+      { "steps_per_second", static_cast<double>(steps) / seconds },
+      { "microseconds_per_sample", 1e6 * seconds / static_cast<double>(samples) },
+      { "reached",
+        report->GetNumber("Statuses", vtkFlowStatus::REACHED_SURFACE) /
+          static_cast<double>(samples) } });
   rows.Add(row);
   return seconds;
 }
@@ -121,7 +124,7 @@ void AddChanges(const std::string& name, Volumes& volumes, const BenchSeconds& a
   };
   for (const Change& change : changes)
   {
-    const vtkIdType before = volumes.Field->GetReport().Executions;
+    const vtkIdType before = GetCount(volumes.Field->GetReport(), "Executions");
     const auto work = WithThreads(threads,
       [&change]()
       {
@@ -132,10 +135,11 @@ void AddChanges(const std::string& name, Volumes& volumes, const BenchSeconds& a
     BenchRow row = rows.Make(name, change.Method, ThreadsParameter(threads));
     row.SetTimes(
       MeasureAlternately({ work }, options.GetRepeats()).front(), "advection", advection);
-    const vtkFlowVolumeReport& report = change.Volume->GetReport();
+    vtkInterlumeReport* report = change.Volume->GetReport();
     row.Set({ { "tetrahedra", change.Volume->GetOutput()->GetNumberOfCells() },
-      { "advections", volumes.Field->GetReport().Executions - before },
-      { "inflow_passes", report.InflowPasses }, { "time_passes", report.TimePasses } });
+      { "advections", GetCount(volumes.Field->GetReport(), "Executions") - before },
+      { "inflow_passes", GetCount(report, "InflowPasses") },
+      { "time_passes", GetCount(report, "TimePasses") } });
     rows.Add(row);
   }
 }

@@ -217,8 +217,9 @@ void AddRows(
     {
       BenchRow row =
         MakeRow(rows, name, methods[method], n, seconds[method], peers[peer], seconds[2 + peer]);
-      const vtkImplicitFlowVolumeReport& report = mappers[method]->GetReport();
-      row.Set({ { "texture_bytes", report.TextureBytes }, { "split_cells", report.SplitCells },
+      vtkInterlumeReport* report = mappers[method]->GetReport();
+      row.Set({ { "texture_bytes", static_cast<vtkIdType>(report->GetNumber("TextureBytes")) },
+        { "split_cells", static_cast<vtkIdType>(report->GetNumber("SplitCells")) },
         { "pixels", pixels } });
       rows.Add(row);
     }
@@ -255,8 +256,9 @@ void AddShadowRows(int n, int pixels, const BenchOptions& options, BenchRows& ro
   for (std::size_t i = 1; i < frames.size(); ++i)
   {
     BenchRow row = MakeRow(rows, "rotation", names[i], n, seconds[i], names[i - 1], seconds[i - 1]);
-    const vtkImplicitFlowVolumeReport& report = mappers[i]->GetReport();
-    row.Set({ { "slices", report.Slices }, { "light_buffer_size", report.LightBufferSize },
+    vtkInterlumeReport* report = mappers[i]->GetReport();
+    row.Set({ { "slices", static_cast<vtkIdType>(report->GetNumber("Slices")) },
+      { "light_buffer_size", static_cast<vtkIdType>(report->GetNumber("LightBufferSize")) },
       { "pixels", pixels } });
     rows.Add(row);
   }

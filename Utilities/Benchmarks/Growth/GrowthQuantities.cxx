@@ -73,7 +73,7 @@ Job MakeTimeJob(const interval4d::Case& what, std::optional<double> n)
     {
       auto filter = what.NewFilter();
       filter->Update();
-      *simplices = static_cast<double>(filter->GetReport().Simplices);
+      *simplices = filter->GetReport()->GetNumber("Simplices");
       return vtkSmartPointer<vtkObjectBase>(filter->GetOutputDataObject(0));
     });
   job.GetN = [simplices, n]() { return n.value_or(*simplices); };

@@ -150,16 +150,17 @@ void AddDragRow(const DragCase& one, const DragPlace& place, bool isTied, int th
                          WithThreads(threads, [&]() { return plain.Move(); }) },
       options.GetRepeats());
 
-  const vtkExtractionReport& report = kept.Filter->GetReport();
+  const auto count = [&kept](const char* name)
+  { return static_cast<vtkIdType>(kept.Filter->GetReport()->GetNumber(name)); };
   const vtkIdType changed = CountCells(one.Image, first + step, first + 2 * step);
   BenchRow row = rows.Make(
     one.Name + "-" + place.Name, isTied ? "drag-tied" : "drag", ThreadsParameter(threads));
   row.SetTimes(seconds[0], "new-memory", seconds[1]);
-  row.Set({ { "threads", threads }, { "cells", report.Cells }, { "changed", changed },
-    { "share", static_cast<double>(changed) / static_cast<double>(report.Cells) },
-    { "with_output", report.CellsWithOutput },
+  row.Set({ { "threads", threads }, { "cells", count("Cells") }, { "changed", changed },
+    { "share", static_cast<double>(changed) / static_cast<double>(count("Cells")) },
+    { "with_output", count("CellsWithOutput") },
     { "tetrahedra", kept.Filter->GetOutput()->GetNumberOfCells() }, { "output_kib", kib },
-    { "reused_kib", report.ReusedBytes / 1024 }, { "idle_kib", report.IdleBytes / 1024 } });
+    { "reused_kib", count("ReusedBytes") / 1024 }, { "idle_kib", count("IdleBytes") / 1024 } });
   rows.Add(row);
 }
 

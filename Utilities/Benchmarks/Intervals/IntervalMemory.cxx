@@ -54,7 +54,8 @@ nlohmann::ordered_json MeasureMemory(
   const auto inputKib = data.Data->GetActualMemorySize();
   json["input_kib"] = inputKib;
   json["output_kib"] = filter->GetOutput()->GetActualMemorySize();
-  json["working_kib"] = filter->GetReport().WorkingBytes / 1024;
+  json["working_kib"] =
+    static_cast<vtkIdType>(filter->GetReport()->GetNumber("WorkingBytes")) / 1024;
   if (fresh && before && peak)
   {
     json["peak_kib"] = static_cast<long>(inputKib) + *peak - *before;

@@ -42,6 +42,8 @@ void AddRows(const Case& what, const BenchOptions& options, BenchRows& rows)
       { ours.GetFrame(options.Threads, isMoving), volume.GetFrame(options.Threads, isMoving),
         actors.GetFrame(options.Threads, isMoving) },
       options.GetRepeats());
+    const auto count = [](vtkInterlumeReport* report, const char* name)
+    { return static_cast<vtkIdType>(report->GetNumber(name)); };
     BenchRow row = rows.Make(what.Name, isMoving ? Moving : ScenePass, CountTriangles(what.Scene));
     row.SetTimes(
       seconds[0], "volume + 2 actors", { seconds[1] + 2.0 * seconds[2], seconds[1].Runs });
@@ -49,9 +51,9 @@ void AddRows(const Case& what, const BenchOptions& options, BenchRows& rows)
       { "processor_over_budget",
         seconds[0].Processor / (seconds[1].Processor + 2.0 * seconds[2].Processor) },
       { "volume_seconds", seconds[1].Value }, { "actors_seconds", seconds[2].Value },
-      { "depth_maps_drawn", ours.GetReport()->DepthMapsDrawn },
-      { "receiver_passes", ours.GetReport()->ReceiverPasses },
-      { "slices", ours.GetSlices()->GetReport().SlicesDrawn } });
+      { "depth_maps_drawn", count(ours.GetReport(), "DepthMapsDrawn") },
+      { "receiver_passes", count(ours.GetReport(), "ReceiverPasses") },
+      { "slices", count(ours.GetSlices()->GetReport(), "SlicesDrawn") } });
     rows.Add(row);
   }
 }

@@ -138,8 +138,8 @@ BenchWork Drawing::GetFrame(int threads, bool areLightsMoved)
     });
 }
 
-const vtkShadowedSceneReport* Drawing::GetReport() const
+vtkInterlumeReport* Drawing::GetReport() const
 {
-  return this->ScenePass ? &this->ScenePass->GetReport() : nullptr;
+  return this->ScenePass ? this->ScenePass->GetReport() : nullptr;
 }
 }

@@ -59,7 +59,7 @@ public:
   BenchWork GetFrame(int threads, bool areLightsMoved = false);
 
   /// Null where another method draws, and where there is no volume.
-  const vtkShadowedSceneReport* GetReport() const;
+  vtkInterlumeReport* GetReport() const;
   vtkShadowedSliceMapper* GetSlices() const { return this->Slices; }
 
 private:

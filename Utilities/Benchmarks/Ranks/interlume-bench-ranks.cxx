@@ -46,16 +46,16 @@ void Measure(vtkMultiProcessController* controller, const BenchOptions& options,
   add([&]() { return ranks::MakeMemoryRow(rows, "extraction", ranks, volumeKib); });
   const auto volume = ranks::MakeVolume(options.Pick(96, 48, 16), ranks);
   const ranks::Times volumeTimes = ranks::MeasureTimes(controller, volume, repeats,
-    [&volume]() { return static_cast<double>(volume->GetReport().CellsWithOutput); });
+    [&volume]() { return volume->GetReport()->GetNumber("CellsWithOutput"); });
   add([&]() { return ranks::MakeWeakRow(rows, "extraction", volumeTimes); });
   const auto flow = ranks::MakeFlow(options.Pick(64, 24, 12), ranks, options.Pick(32, 16, 8));
   const ranks::Times flowTimes = ranks::MeasureTimes(controller, flow, repeats,
     [&]()
     {
-      const vtkFlowReport& report = flow->GetReport();
-      const auto rank = static_cast<std::size_t>(controller->GetLocalProcessId());
-      return static_cast<double>(
-        rank < report.StepsOfRanks.size() ? report.StepsOfRanks[rank] : report.Steps);
+      vtkInterlumeReport* report = flow->GetReport();
+      const int rank = controller->GetLocalProcessId();
+      return rank < report->GetSize("StepsPerProcess") ? report->GetNumber("StepsPerProcess", rank)
+                                                       : report->GetNumber("Steps");
     });
   add([&]() { return ranks::MakeWeakRow(rows, "flow", flowTimes); });
 }

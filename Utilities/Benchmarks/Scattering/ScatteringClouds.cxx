@@ -119,7 +119,7 @@ void AddCloudRows(const BenchOptions& options, BenchRows& rows)
   {
     const shadows::MethodPointer plain = shadows::MakeSlices(stage, scene);
     plain->Capture();
-    spacing = plain->GetSlices()->GetReport().SliceSpacing;
+    spacing = plain->GetSlices()->GetReport()->GetNumber("SliceSpacing");
   }
   const std::vector<Setting> settings = MakeSettings(stage, scene, spacing, options);
 
@@ -199,7 +199,9 @@ void AddViewRows(const BenchOptions& options, BenchRows& rows)
       BenchRow row = rows.Make("cloud, the view turns", settings[i].Mode, pixels);
       row.SetTimes(seconds[i], Shadowed, seconds.back());
       row.Set({ { "view_over_shadowed", seconds[i] / seconds.back() },
-        { "solves", settings[i].Drawn->GetSlices()->GetReport().ScatteringSolves } });
+        { "solves",
+          static_cast<vtkIdType>(
+            settings[i].Drawn->GetSlices()->GetReport()->GetNumber("ScatteringSolves")) } });
       rows.Add(row);
     }
   }

@@ -42,7 +42,7 @@ double GetDefaultSpacing(reference::VolumeStage& stage, const reference::ShadowS
 {
   const MethodPointer method = MakeSlices(stage, scene);
   method->Capture();
-  return method->GetSlices()->GetReport().SliceSpacing;
+  return method->GetSlices()->GetReport()->GetNumber("SliceSpacing");
 }
 
 std::vector<Setting> MakeSettings(reference::VolumeStage& stage,

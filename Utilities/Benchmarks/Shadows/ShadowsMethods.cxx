@@ -146,14 +146,18 @@ void MeasureFrames(std::vector<Setting>& settings, int threads, int repeats)
   }
 }
 
-void AddReport(const vtkShadowedSliceReport& report, BenchRow& row)
+void AddReport(vtkInterlumeReport* report, BenchRow& row)
 {
-  row.Set({ { "lights", report.Lights }, { "shadowed_lights", report.ShadowedLights },
-    { "sweeps", report.Sweeps }, { "slices", report.SlicesDrawn },
-    { "eye_passes", report.EyePasses }, { "light_passes", report.LightPasses },
-    { "light_buffers", report.LightBuffers }, { "light_buffer_size", report.LightBufferSize },
-    { "light_buffer_bytes", report.LightBufferBytes },
-    { "image_buffer_bytes", report.ImageBufferBytes }, { "texture_bytes", report.TextureBytes },
-    { "blocks", report.Blocks }, { "blocks_drawn", report.BlocksDrawn } });
+  using Name = std::pair<const char*, const char*>;
+  for (const auto& [count, value] :
+    { Name("lights", "Lights"), Name("shadowed_lights", "ShadowedLights"), Name("sweeps", "Sweeps"),
+      Name("slices", "SlicesDrawn"), Name("eye_passes", "ImagePasses"),
+      Name("light_passes", "LightPasses"), Name("light_buffers", "LightBuffers"),
+      Name("light_buffer_size", "LightBufferSize"), Name("light_buffer_bytes", "LightBufferBytes"),
+      Name("image_buffer_bytes", "ImageBufferBytes"), Name("texture_bytes", "TextureBytes"),
+      Name("blocks", "Blocks"), Name("blocks_drawn", "BlocksDrawn") })
+  {
+    row.Counts[count] = static_cast<vtkIdType>(report->GetNumber(value));
+  }
 }
 }

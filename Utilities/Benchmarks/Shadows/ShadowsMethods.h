@@ -92,7 +92,7 @@ struct Setting
 void MeasureFrames(std::vector<Setting>& settings, int threads, int repeats);
 
 /// Adds counts of the mapper's last picture: slices, passes, lights and their buffers, bytes.
-void AddReport(const vtkShadowedSliceReport& report, BenchRow& row);
+void AddReport(vtkInterlumeReport* report, BenchRow& row);
 }
 
 #endif

@@ -74,12 +74,10 @@ Change WithSpacing(int method, double spacing)
   };
 }
 
-/// \a plain is the last picture of the default.
+/// \a spacing is the slice spacing of the default.
 std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
-  const reference::ShadowScene& scene, const vtkShadowedSliceReport& plain,
-  const BenchOptions& options)
+  const reference::ShadowScene& scene, double spacing, const BenchOptions& options)
 {
-  const double spacing = plain.SliceSpacing;
   using Mapper = vtkShadowedSliceMapper;
   std::vector<Setting> settings;
   const auto put = [&settings](const std::string& name, double parameter, MethodPointer drawn) {
@@ -208,10 +206,10 @@ void AddSceneRows(
 {
   const MethodPointer plain = MakeSlices(stage, what.Scene);
   plain->Capture();
-  const vtkShadowedSliceReport report = plain->GetSlices()->GetReport();
-  std::vector<Setting> settings = MakeSettings(stage, what.Scene, report, options);
+  const double spacing = plain->GetSlices()->GetReport()->GetNumber("SliceSpacing");
+  std::vector<Setting> settings = MakeSettings(stage, what.Scene, spacing, options);
   MeasureFrames(settings, options.Threads, Repeats);
-  const reference::RgbaPicture limit = MakeLimit(stage, what.Scene, report.SliceSpacing, options);
+  const reference::RgbaPicture limit = MakeLimit(stage, what.Scene, spacing, options);
   for (Setting& setting : settings)
   {
     setting.Error = reference::ComparePictures(setting.Drawn->Capture(), limit).Mean;

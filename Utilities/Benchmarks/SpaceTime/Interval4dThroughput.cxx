@@ -19,7 +19,7 @@ void AddRow(const Case& what, double share, const BenchOptions& options, BenchRo
   {
     auto filter = what.NewFilter();
     filter->Update();
-    simplices = filter->GetReport().Simplices;
+    simplices = static_cast<vtkIdType>(filter->GetReport()->GetNumber("Simplices"));
     return vtkSmartPointer<vtkObjectBase>(filter->GetOutputDataObject(0));
   };
   BenchRow row = rows.Make(what.Name, "throughput", share);

@@ -48,13 +48,17 @@ vtkSmartPointer<Mapper> NewMapper(
   return mapper;
 }
 
-void AddReport(const vtkTetrahedraReport& report, BenchRow& row)
+void AddReport(vtkInterlumeReport* report, BenchRow& row)
 {
-  row.Set({ { "tetrahedra", report.Tetrahedra }, { "drawn", report.TetrahedraDrawn },
-    { "render_path", report.RenderPath }, { "passes", report.Passes },
-    { "sort_mode", report.SortMode }, { "cycles", report.Cycles }, { "gaps", report.Gaps },
-    { "buffers", report.Buffers }, { "buffer_bytes", report.BufferBytes },
-    { "memory_bytes", report.MemoryBytes }, { "uploaded_order_bytes", report.UploadedOrderBytes },
-    { "uploaded_image_bytes", report.UploadedImageBytes } });
+  using Name = std::pair<const char*, const char*>;
+  for (const auto& [count, value] : { Name("tetrahedra", "Tetrahedra"),
+         Name("drawn", "TetrahedraDrawn"), Name("render_path", "RenderPath"),
+         Name("passes", "Passes"), Name("sort_mode", "SortMode"), Name("cycles", "Cycles"),
+         Name("gaps", "Gaps"), Name("buffers", "Buffers"), Name("buffer_bytes", "BufferBytes"),
+         Name("memory_bytes", "MemoryBytes"), Name("uploaded_order_bytes", "UploadedOrderBytes"),
+         Name("uploaded_image_bytes", "UploadedImageBytes") })
+  {
+    row.Counts[count] = static_cast<vtkIdType>(report->GetNumber(value));
+  }
 }
 }

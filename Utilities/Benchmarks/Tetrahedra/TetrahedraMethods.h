@@ -48,7 +48,7 @@ vtkSmartPointer<vtkTimeWeightedTetrahedraMapper> NewMapper(
   vtkUnstructuredGrid* grid, const RenderPath& path, const RenderMode& mode);
 
 /// Adds counts of the mapper's last picture: tetrahedra, passes, sort, bytes.
-void AddReport(const vtkTetrahedraReport& report, BenchRow& row);
+void AddReport(vtkInterlumeReport* report, BenchRow& row);
 }
 
 #endif

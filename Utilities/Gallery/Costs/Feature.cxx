@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gallery/Costs/Feature.h"
 
+#include "Gallery/SceneReport.h"
+
 #include "vtkDataSet.h"
 #include "vtkFlowVolume.h"
 #include "vtkImplicitFlowField.h"
@@ -14,7 +16,6 @@
 #include "vtkTimeWeightedTetrahedraMapper.h"
 
 #include <functional>
-#include <numeric>
 
 namespace gallery
 {
@@ -30,12 +31,6 @@ double CountArray(vtkAlgorithm* filter, const char* name)
 {
   auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
   return output && output->GetPointData()->HasArray(name) ? 1.0 : 0.0;
-}
-
-template <typename Number>
-double Sum(const Number* begin, const Number* end)
-{
-  return static_cast<double>(std::accumulate(begin, end, Number(0)));
 }
 
 bool HasBoundaries(vtkTimeVaryingIntervalVolume* filter)
@@ -99,17 +94,26 @@ void AddExtractions(std::vector<Feature>& features)
   intervals.Add("GenerateBoundaries", &Interval::GetGenerateBoundaries,
     &Interval::SetGenerateBoundaries, [](Interval* filter) { return CountCells(filter, 1); });
   intervals.Add("KeepWholeCells", &Interval::GetKeepWholeCells, &Interval::SetKeepWholeCells,
-    [](Interval* filter)
-    { return filter->GetReport().WholeCells + filter->GetReport().WarpedFaces; });
+    [](Interval* filter) {
+      return SumValues(filter->GetReport(), { "InteriorCells", "NonPlanarFaces" });
+    });
   intervals.Add("KeepOrigins", &Interval::GetKeepOrigins, &Interval::SetKeepOrigins,
     [](Interval* filter) { return CountArray(filter, "OriginPoints"); });
   intervals.Add("UseValueIndex", &Interval::GetUseValueIndex, &Interval::SetUseValueIndex,
-    [](Interval* filter) { return filter->GetReport().Cells - filter->GetReport().CellsVisited; });
+    [](Interval* filter)
+    {
+      return filter->GetReport()->GetNumber("Cells") -
+        filter->GetReport()->GetNumber("CellsVisited");
+    });
 
   using Contour = vtkIsotableContour;
   FeatureList<Contour> contours("vtkIsotableContour", features);
   contours.Add("UseValueIndex", &Contour::GetUseValueIndex, &Contour::SetUseValueIndex,
-    [](Contour* filter) { return filter->GetReport().Cells - filter->GetReport().CellsVisited; });
+    [](Contour* filter)
+    {
+      return filter->GetReport()->GetNumber("Cells") -
+        filter->GetReport()->GetNumber("CellsVisited");
+    });
 
   using InTime = vtkTimeVaryingIntervalVolume;
   FeatureList<InTime> inTime("vtkTimeVaryingIntervalVolume", features);
@@ -117,11 +121,7 @@ void AddExtractions(std::vector<Feature>& features)
     [](InTime* filter) { return CountCells(filter, 2); });
   // Off are none of the kinds.
   inTime.Add("GenerateBoundaries", &HasBoundaries, &InTime::SetGenerateBoundaries,
-    [](InTime* filter)
-    {
-      const auto& cells = filter->GetReport().Boundaries;
-      return Sum(cells.data(), cells.data() + cells.size());
-    });
+    [](InTime* filter) { return SumValues(filter->GetReport(), { "Boundaries" }); });
 }
 
 void AddFlows(std::vector<Feature>& features)
@@ -130,18 +130,14 @@ void AddFlows(std::vector<Feature>& features)
   FeatureList<Field> fields("vtkImplicitFlowField", features);
   fields.Add(
     "RefinementLevels", &Field::GetRefinementLevels, &Field::SetRefinementLevels,
-    [](Field* filter)
-    {
-      const auto& added = filter->GetReport().AddedSamples;
-      return Sum(added.data(), added.data() + added.size());
-    },
-    1, 0);
+    [](Field* filter) { return SumValues(filter->GetReport(), { "AddedSamples" }); }, 1, 0);
   fields.Add(
     "SamplingChecks", &Field::GetSamplingChecks, &Field::SetSamplingChecks,
-    [](Field* filter) { return filter->GetReport().Sampling.Checks; }, 500, 0);
+    [](Field* filter) { return filter->GetReport()->GetNumber("SamplingChecks"); }, 500, 0);
   fields.Add("ShareStreamlines", &Field::GetShareStreamlines, &Field::SetShareStreamlines,
-    [](Field* filter)
-    { return filter->GetReport().SharedSamples + filter->GetReport().SharedChecks; });
+    [](Field* filter) {
+      return SumValues(filter->GetReport(), { "InterpolatedSamples", "InterpolationChecks" });
+    });
   fields.Add("KeepSteps", &Field::GetKeepSteps, &Field::SetKeepSteps,
     [](Field* filter) { return CountArray(filter, "AdvectionSteps"); });
   fields.Add("ComputeMaximumSpeed", &Field::GetComputeMaximumSpeed, &Field::SetComputeMaximumSpeed,
@@ -159,7 +155,7 @@ void AddFlows(std::vector<Feature>& features)
   volumes.Add("GenerateTimeSurfaces", &Volume::GetGenerateTimeSurfaces,
     &Volume::SetGenerateTimeSurfaces, [](Volume* filter) { return CountCells(filter, 2); });
   volumes.Add("GenerateNormals", &Volume::GetGenerateNormals, &Volume::SetGenerateNormals,
-    [](Volume* filter) { return filter->GetReport().NormalPasses; });
+    [](Volume* filter) { return filter->GetReport()->GetNumber("NormalPasses"); });
 }
 
 void AddDrawings(std::vector<Feature>& features)
@@ -167,47 +163,45 @@ void AddDrawings(std::vector<Feature>& features)
   using Slices = vtkShadowedSliceMapper;
   FeatureList<Slices> slices("vtkShadowedSliceMapper", features);
   slices.AddIf(
-    "Shadows", [](Slices* mapper) { return mapper->GetReport().ShadowedLights > 0; },
+    "Shadows", [](Slices* mapper) { return mapper->GetReport()->GetNumber("ShadowedLights") > 0; },
     &Slices::GetShadows, &Slices::SetShadows,
-    [](Slices* mapper)
-    {
-      const vtkShadowedSliceReport& report = mapper->GetReport();
-      return report.LightBuffers + report.LightPasses + report.LightBufferBytes;
+    [](Slices* mapper) {
+      return SumValues(mapper->GetReport(), { "LightBuffers", "LightPasses", "LightBufferBytes" });
     },
     true);
   slices.Add(
     "MultipleScattering", &Slices::GetMultipleScattering, &Slices::SetMultipleScattering,
-    [](Slices* mapper)
-    { return mapper->GetReport().ScatteringCells + mapper->GetReport().ScatteringBytes; },
+    [](Slices* mapper) {
+      return SumValues(mapper->GetReport(), { "ScatteringCells", "ScatteringBytes" });
+    },
     static_cast<int>(Slices::FORWARD_SCATTERING), static_cast<int>(Slices::NO_SCATTERING));
 
   using Paint = vtkImplicitFlowVolumeMapper;
   FeatureList<Paint> paints("vtkImplicitFlowVolumeMapper", features);
   paints.Add("Shadows", &Paint::GetShadows, &Paint::SetShadows,
-    [](Paint* mapper)
-    {
-      const vtkImplicitFlowVolumeReport& report = mapper->GetReport();
-      return report.LightBuffers + report.Sweeps + report.LightBufferBytes;
+    [](Paint* mapper) {
+      return SumValues(mapper->GetReport(), { "LightBuffers", "Sweeps", "LightBufferBytes" });
     });
 
   using Tetrahedra = vtkTimeWeightedTetrahedraMapper;
   FeatureList<Tetrahedra> tetrahedra("vtkTimeWeightedTetrahedraMapper", features);
   tetrahedra.AddIf(
     "MPVONC_SORT",
-    [](Tetrahedra* mapper) { return mapper->GetReport().SortMode != Tetrahedra::NO_SORT; },
+    [](Tetrahedra* mapper)
+    { return mapper->GetReport()->GetNumber("SortMode") != Tetrahedra::NO_SORT; },
     &Tetrahedra::GetSortMode, &Tetrahedra::SetSortMode,
     [](Tetrahedra* mapper)
     {
-      const vtkTetrahedraReport& report = mapper->GetReport();
-      return (report.Sorted ? 1 : 0) + (report.HasAdjacency ? 1 : 0) + report.Cycles + report.Gaps +
-        report.UploadedOrderBytes;
+      return SumValues(
+        mapper->GetReport(), { "Sorted", "HasAdjacency", "Cycles", "Gaps", "UploadedOrderBytes" });
     },
     static_cast<int>(Tetrahedra::MPVONC_SORT));
   tetrahedra.AddIf(
     "PRIORITY_BLEND",
-    [](Tetrahedra* mapper) { return mapper->GetReport().BlendMode == Tetrahedra::PRIORITY_BLEND; },
+    [](Tetrahedra* mapper)
+    { return mapper->GetReport()->GetNumber("BlendMode") == Tetrahedra::PRIORITY_BLEND; },
     &Tetrahedra::GetBlendMode, &Tetrahedra::SetBlendMode,
-    [](Tetrahedra* mapper) { return mapper->GetReport().Layers; },
+    [](Tetrahedra* mapper) { return mapper->GetReport()->GetNumber("Layers"); },
     static_cast<int>(Tetrahedra::PRIORITY_BLEND));
 
   using Scene = vtkShadowedScenePass;
@@ -215,8 +209,8 @@ void AddDrawings(std::vector<Feature>& features)
   scenes.Add("Shadows", &Scene::GetShadows, &Scene::SetShadows,
     [](Scene* pass)
     {
-      const vtkShadowedSceneReport& report = pass->GetReport();
-      return report.DepthMaps + report.SampleMaps + report.DepthMapBytes + report.SampleMapBytes;
+      return SumValues(
+        pass->GetReport(), { "DepthMaps", "SampleMaps", "DepthMapBytes", "SampleMapBytes" });
     });
 }
 }

@@ -6,6 +6,7 @@
 #include "Gallery/Costs/Feature.h"
 #include "Gallery/Picture.h"
 #include "Gallery/Scene.h"
+#include "Gallery/SceneReport.h"
 #include "Gallery/Stage.h"
 #include "Gallery/Stopwatch.h"
 
@@ -239,23 +240,22 @@ double CountPasses(vtkRenderer* renderer)
     vtkObject* mapper = volume->GetMapper();
     if (auto* slices = vtkShadowedSliceMapper::SafeDownCast(mapper))
     {
-      const vtkShadowedSliceReport& report = slices->GetReport();
-      passes +=
-        report.EyePasses + report.LightPasses + report.OcclusionPasses + report.SoftShadowPasses;
+      passes += SumValues(slices->GetReport(),
+        { "ImagePasses", "LightPasses", "OcclusionPasses", "SoftShadowPasses" });
     }
     else if (auto* paint = vtkImplicitFlowVolumeMapper::SafeDownCast(mapper))
     {
-      passes += paint->GetReport().Passes + paint->GetReport().Slices;
+      passes += SumValues(paint->GetReport(), { "Passes", "Slices" });
     }
     else if (auto* tetrahedra = vtkTimeWeightedTetrahedraMapper::SafeDownCast(mapper))
     {
-      passes += tetrahedra->GetReport().Passes;
+      passes += tetrahedra->GetReport()->GetNumber("Passes");
     }
   }
   if (auto* scene = vtkShadowedScenePass::SafeDownCast(renderer->GetPass()))
   {
-    const vtkShadowedSceneReport& report = scene->GetReport();
-    passes += report.DepthMaps + report.SampleMaps + report.EyeDepthPasses + report.ReceiverPasses;
+    passes += SumValues(
+      scene->GetReport(), { "DepthMaps", "SampleMaps", "CameraDepthPasses", "ReceiverPasses" });
   }
   return passes;
 }
