@@ -1,5 +1,5 @@
 //INTERLUME::FEATURES
-// What is painted as matter of slices: see vtkSliceMatter.
+// What is painted as the medium of slices: see vtkSliceMedium.
 
 uniform vec3 lastCell;
 uniform vec3 voxels;
@@ -13,7 +13,7 @@ uniform mat3 worldFromVoxels;
 //INTERLUME::PAINT
 //INTERLUME::SHADE
 
-float matterAt(vec3 p, mat3 size, out vec3 color)
+float mediumAt(vec3 p, mat3 size, out vec3 color)
 {
   color = vec3(0.0);
   vec3 place = p * voxels - 0.5;

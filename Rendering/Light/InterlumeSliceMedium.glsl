@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The matter along a ray, for fragments of the picture and of a light's buffer. ROWS functions of
 // COLUMNS samples; OPACITY_OF names the components of a texel that have an opacity. With MATTER there
-// are functions of their own in the place of all these: see vtkSliceMatter.
+// are functions of their own in the place of all these: see vtkSliceMedium.
 
 #ifdef MATTER
 //INTERLUME::MATTER
@@ -248,7 +248,7 @@ float extinctionsAt(vec3 x, vec3 p, out vec4 texel, out vec4 parts)
   texel = vec4(0.0);
   parts = vec4(0.0);
   vec3 color = vec3(0.0);
-  parts.x = matterAt(p, sampleSize, color) * worldLength;
+  parts.x = mediumAt(p, sampleSize, color) * worldLength;
   texel = vec4(color, 0.0);
   return parts.x;
 }

@@ -13,7 +13,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkRenderer.h"
-#include "vtkSliceMatter.h"
+#include "vtkSliceMedium.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
@@ -73,9 +73,9 @@ void vtkShadowedSliceMapper::SetPhaseTable(vtkPiecewiseFunction* function)
   SetValue(this, this->PhaseTable, function);
 }
 
-void vtkShadowedSliceMapper::SetMatter(vtkSliceMatter* matter)
+void vtkShadowedSliceMapper::SetMedium(vtkSliceMedium* medium)
 {
-  SetValue(this, this->Matter, matter);
+  SetValue(this, this->Medium, medium);
 }
 
 void vtkShadowedSliceMapper::SetScatteringGridSize(int size)
@@ -149,7 +149,7 @@ interlume::VolumeImage& vtkShadowedSliceMapper::UpdateImage(
   request.Volume = volume;
   request.Image = image;
   request.Settings = *this;
-  request.Matter = this->Matter;
+  request.Medium = this->Medium;
   request.Cuts.Planes = this->ClippingPlanes;
   request.Cuts.IsCropped = this->Cropping != 0;
   std::copy_n(this->CroppingRegionPlanes, 6, request.Cuts.CroppingPlanes.begin());
@@ -184,9 +184,9 @@ void vtkShadowedSliceMapper::ReportErrors()
   const vtkMTimeType state = std::max(request.Image->GetMTime(), this->GetMTime());
   if (!text.empty() && (state != this->ErrorTime || text != this->ErrorText))
   {
-    if (this->Matter)
+    if (this->Medium)
     {
-      this->Matter->ReportFault(text);
+      this->Medium->ReportError(text);
     }
     else
     {

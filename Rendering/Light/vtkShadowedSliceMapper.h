@@ -16,7 +16,7 @@ class vtkDataArray;
 class vtkImageData;
 class vtkLight;
 class vtkPiecewiseFunction;
-class vtkSliceMatter;
+class vtkSliceMedium;
 
 namespace interlume
 {
@@ -476,10 +476,10 @@ public:
   ///@}
 
   /**
-   * WARNING: for mappers of matter that is looked up by functions of its own; see vtkSliceMatter,
-   * which has to live as long as it is set. Default null: the matter of the scalars.
+   * Sets a medium that is evaluated by functions of its own instead of the scalars; for mappers of
+   * such media. Default null.
    */
-  void SetMatter(vtkSliceMatter* matter);
+  void SetMedium(vtkSliceMedium* medium);
 
   /**
    * Returns the report of the last image:
@@ -535,7 +535,7 @@ private:
   vtkMTimeType ErrorTime = 0;
   std::string ErrorText;
   vtkMTimeType WarningTime = 0;
-  vtkSliceMatter* Matter = nullptr;
+  vtkSmartPointer<vtkSliceMedium> Medium;
   std::unique_ptr<interlume::PeelingDeferral> Peels;
   std::unique_ptr<interlume::VolumeImage> Image;
 };

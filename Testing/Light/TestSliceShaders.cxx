@@ -130,7 +130,7 @@ std::string MakeSource(SliceFeatures::Programs program, const Words& words)
   }
   SliceFeatures::Sources sources;
   sources.Medium = R"(
-float matterAt(vec3 p, mat3 size, out vec3 color)
+float mediumAt(vec3 p, mat3 size, out vec3 color)
 {
   color = p;
   return size[0].x;

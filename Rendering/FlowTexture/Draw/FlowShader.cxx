@@ -71,7 +71,7 @@ FlowShader::FlowShader(vtkImplicitFlowVolumeMapper& mapper, const Parts& parts,
   const bool hasGate = mapper.GetTimeGate() != nullptr;
   this->HasTimes = hasGate || parts.DetailDimensions == 3;
   // Slices have these themselves.
-  const bool isAlone = !parts.IsMatter;
+  const bool isAlone = !parts.IsMedium;
   add(isAlone && view.IsParallel, "PARALLEL");
   add(isAlone && parts.HasOpaqueDepth, "OPAQUE");
   add(

@@ -16,7 +16,7 @@ class FlowView;
  * @class   FlowShader
  * @brief   puts the shader of a picture together, with nothing of what is off
  *
- * It is that of lines of sight, or the functions of matter that vtkSliceMatter tells of.
+ * It is that of lines of sight, or the functions of matter that vtkSliceMedium tells of.
  */
 class FlowShader
 {
@@ -38,7 +38,7 @@ public:
     bool IsShadedByVectors = false;
     int Lights = 0;
     /// Whether it is matter of slices, not lines of sight, that is looked up.
-    bool IsMatter = false;
+    bool IsMedium = false;
   };
 
   /// The columns of textures of functions.

@@ -9,10 +9,12 @@
 #include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkShadowedSliceMapper.h"
+#include "vtkSliceMedium.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
@@ -23,9 +25,37 @@
 namespace interlume
 {
 
+/// What is painted in the image that is being drawn.
+class FlowSlices::Medium : public vtkSliceMedium
+{
+public:
+  static Medium* New() { VTK_STANDARD_NEW_BODY(Medium); }
+  vtkTypeMacro(Medium, vtkSliceMedium);
+
+  std::string GetSource() override
+  {
+    return FlowShader(
+      this->Picture->Mapper, this->Picture->Parts, this->Scene->Paints, this->Scene->View)
+      .GetSource();
+  }
+  bool HasReflection() override { return this->Picture->Parts.IsShaded; }
+  void Activate(vtkShaderProgram* program) override
+  {
+    this->Textures->Activate(program);
+    FlowUniforms::SetMedium(program, *this->Scene, *this->Picture);
+  }
+  void Deactivate() override { this->Textures->Deactivate(); }
+  void ReportError(const std::string& text) override { this->Reported = text; }
+
+  Error Reported;
+  FlowPicture* Picture = nullptr;
+  const FlowScene* Scene = nullptr;
+  FlowTextures* Textures = nullptr;
+};
+
 FlowSlices::FlowSlices()
 {
-  this->Mapper->SetMatter(this);
+  this->Mapper->SetMedium(this->Painted);
   this->Mapper->AutoAdjustSampleDistancesOff();
   this->Volume->SetMapper(this->Mapper);
   // A ramp: opacity that jumps would be looked for within slabs.
@@ -52,10 +82,10 @@ bool FlowSlices::IsAsked(vtkRenderer* renderer)
   return false;
 }
 
-void FlowSlices::MakeReached()
+void FlowSlices::MakeReached(const FlowPicture& picture, const FlowScene& scene)
 {
-  const FlowGrid& grid = this->Scene->Grid;
-  this->Reached->CopyStructure(this->Picture->Image);
+  const FlowGrid& grid = scene.Grid;
+  this->Reached->CopyStructure(picture.Image);
   vtkNew<vtkUnsignedCharArray> reached;
   reached->SetName("Reached");
   reached->SetNumberOfValues(this->Reached->GetNumberOfPoints());
@@ -66,48 +96,48 @@ void FlowSlices::MakeReached()
     reached->SetValue(i, isReached ? 1 : 0);
   }
   this->Reached->GetPointData()->SetScalars(reached);
-  this->ReachedVersion = this->Scene->GridVersion;
+  this->ReachedVersion = scene.GridVersion;
   this->Mapper->SetInputData(this->Reached);
 }
 
-void FlowSlices::Set()
+void FlowSlices::Set(const FlowPicture& picture, const FlowScene& scene)
 {
-  vtkImplicitFlowVolumeMapper& settings = this->Picture->Mapper;
+  vtkImplicitFlowVolumeMapper& settings = picture.Mapper;
   vtkShadowedSliceMapper* mapper = this->Mapper;
   mapper->SetLightBufferSize(settings.GetLightBufferSize());
   // Edges of paint are sharper than voxels: slices half as far apart as those of a volume.
-  mapper->SetSliceSpacing(settings.GetSampleDistance() > 0.0 ? settings.GetSampleDistance()
-                                                             : 0.25 * this->Scene->View.Spacing);
+  mapper->SetSliceSpacing(
+    settings.GetSampleDistance() > 0.0 ? settings.GetSampleDistance() : 0.25 * scene.View.Spacing);
   mapper->SetImageSampleDistance(settings.GetImageSampleDistance());
   const vtkIdType most = settings.GetMaximumTextureMemory();
   mapper->SetMaximumTextureMemory(
-    most > 0 ? std::max<vtkIdType>(most - this->Picture->Report.TextureBytes, 1) : 0);
+    most > 0 ? std::max<vtkIdType>(most - picture.Report.TextureBytes, 1) : 0);
   mapper->SetClippingPlanes(settings.GetClippingPlanes());
   mapper->SetCropping(settings.GetCropping());
   mapper->SetCroppingRegionPlanes(settings.GetCroppingRegionPlanes());
   mapper->SetCroppingRegionFlags(settings.GetCroppingRegionFlags());
-  vtkVolumeProperty* from = this->Picture->Volume->GetProperty();
+  vtkVolumeProperty* from = picture.Volume->GetProperty();
   vtkVolumeProperty* to = this->Volume->GetProperty();
   to->SetShade(from->GetShade());
   to->SetAmbient(from->GetAmbient());
   to->SetDiffuse(from->GetDiffuse());
   to->SetSpecular(from->GetSpecular());
   to->SetSpecularPower(from->GetSpecularPower());
-  this->Volume->SetUserMatrix(this->Picture->Volume->GetMatrix());
+  this->Volume->SetUserMatrix(picture.Volume->GetMatrix());
 }
 
 Error FlowSlices::Draw(FlowPicture& picture, const FlowScene& scene, FlowTextures& textures)
 {
-  this->Picture = &picture;
-  this->Scene = &scene;
-  this->Textures = &textures;
-  this->Reported = {};
-  picture.Parts.IsMatter = true;
+  this->Painted->Picture = &picture;
+  this->Painted->Scene = &scene;
+  this->Painted->Textures = &textures;
+  this->Painted->Reported = {};
+  picture.Parts.IsMedium = true;
   if (this->ReachedVersion != scene.GridVersion)
   {
-    this->MakeReached();
+    this->MakeReached(picture, scene);
   }
-  this->Set();
+  this->Set(picture, scene);
   this->Mapper->Render(picture.Renderer, this->Volume);
   vtkInterlumeReport* drawn = this->Mapper->GetReport();
   FlowVolumeRenderReport& report = picture.Report;
@@ -124,30 +154,7 @@ Error FlowSlices::Draw(FlowPicture& picture, const FlowScene& scene, FlowTexture
   copy("LightBuffers", report.LightBuffers);
   copy("LightBufferSize", report.LightBufferSize);
   copy("LightBufferBytes", report.LightBufferBytes);
-  return this->Reported;
-}
-
-std::string FlowSlices::GetSource() const
-{
-  return FlowShader(
-    this->Picture->Mapper, this->Picture->Parts, this->Scene->Paints, this->Scene->View)
-    .GetSource();
-}
-
-bool FlowSlices::HasReflection() const
-{
-  return this->Picture->Parts.IsShaded;
-}
-
-void FlowSlices::Activate(vtkShaderProgram* program)
-{
-  this->Textures->Activate(program);
-  FlowUniforms::SetMatter(program, *this->Scene, *this->Picture);
-}
-
-void FlowSlices::Deactivate()
-{
-  this->Textures->Deactivate();
+  return this->Painted->Reported;
 }
 
 void FlowSlices::ReleaseGraphicsResources(vtkWindow* window)

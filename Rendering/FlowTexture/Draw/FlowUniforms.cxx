@@ -74,7 +74,7 @@ void FlowUniforms::Set(
 {
   SetView(program, scene, picture);
   program->SetUniformf("sampleDistance", static_cast<float>(picture.SampleDistance));
-  SetMatter(program, scene, picture);
+  SetMedium(program, scene, picture);
   if (picture.Parts.IsShaded)
   {
     vtkVolumeProperty* property = picture.Volume->GetProperty();
@@ -87,7 +87,7 @@ void FlowUniforms::Set(
   }
 }
 
-void FlowUniforms::SetMatter(
+void FlowUniforms::SetMedium(
   vtkShaderProgram* program, const FlowScene& scene, const FlowPicture& picture)
 {
   vtkImplicitFlowVolumeMapper& mapper = picture.Mapper;

@@ -20,7 +20,7 @@ public:
   /// All of lines of sight.
   static void Set(vtkShaderProgram* program, const FlowScene& scene, const FlowPicture& picture);
   /// What is painted, and how it is shaded by the matter alone.
-  static void SetMatter(
+  static void SetMedium(
     vtkShaderProgram* program, const FlowScene& scene, const FlowPicture& picture);
 };
 

@@ -37,7 +37,7 @@ void SlicePlanner::Make(ImageState& image, const States& states,
   settings.BufferSize = asked.LightBufferSize;
   settings.PictureSize = std::min(image.Size[0], image.Size[1]);
   settings.LeastBufferSize = asked.LeastBufferSize;
-  settings.TexelsOfVoxel = states[0]->Matter ? MATTER_TEXELS : 1.0;
+  settings.TexelsOfVoxel = states[0]->Medium ? MATTER_TEXELS : 1.0;
   GLint limit = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
   settings.LargestBufferSize = std::min(settings.LargestBufferSize, static_cast<int>(limit));

@@ -15,7 +15,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkProjectiveLight.h"
 #include "vtkRenderer.h"
-#include "vtkSliceMatter.h"
+#include "vtkSliceMedium.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -164,7 +164,7 @@ SliceTextures& VolumeResources::GetTextures(vtkWindow* window)
 
 vtkIdType VolumeResources::GetTextureBytes() const
 {
-  if (this->State.Matter)
+  if (this->State.Medium)
   {
     return SliceTextures::GetBytes(this->State.Scattering);
   }
@@ -187,8 +187,8 @@ Error VolumeResources::Upload(vtkOpenGLRenderWindow* window)
       this->UploadedBytes += SliceTextures::GetBytes(data);
     }
   };
-  textures.SetMatter(frame.Matter);
-  if (!frame.Matter)
+  textures.SetMedium(frame.Medium);
+  if (!frame.Medium)
   {
     upload(frame.Samples, this->SamplesVersion, resources.SamplesVersion);
     upload(frame.Material, this->MaterialVersion, resources.MaterialVersion);
@@ -239,7 +239,7 @@ Error VolumeResources::UpdateData(vtkOpenGLRenderWindow* window)
   }
   VolumeRenderState& state = this->State;
   state.IsSoftware = SoftwareOpenGL::IsUsed(window);
-  state.Matter = this->Asked.Matter;
+  state.Medium = this->Asked.Medium;
   // Magnitudes do not depend on the direction of an axis.
   const glm::dvec3 spacing = glm::abs(glm::make_vec3(this->Asked.Image->GetSpacing()));
   state.GradientSteps = (spacing.x + spacing.y + spacing.z) / 3.0 / spacing;
@@ -268,7 +268,7 @@ void VolumeResources::SetImage(const ImageState& image, int number)
   state.TwoSidedLighting = this->Asked.Settings.TwoSidedLighting;
   vtkVolumeProperty* property = this->Asked.Volume->GetProperty();
   state.IsShaded = property->GetShade() != 0 && !state.Scattering.IsOn() &&
-    (!state.Matter || state.Matter->HasReflection());
+    (!state.Medium || state.Medium->HasReflection());
   for (int row = 0; row < state.Material.Rows; ++row)
   {
     state.Materials[row] = { { static_cast<float>(property->GetAmbient(row)),

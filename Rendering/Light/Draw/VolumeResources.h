@@ -20,7 +20,7 @@ class vtkImageData;
 class vtkInterlumeReport;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
-class vtkSliceMatter;
+class vtkSliceMedium;
 class vtkVolume;
 class vtkWindow;
 
@@ -45,7 +45,7 @@ public:
     bool IsOfCells = false;
     vtkShadowedSliceSettings Settings;
     /// See VolumeRenderState.
-    vtkSliceMatter* Matter = nullptr;
+    vtkSliceMedium* Medium = nullptr;
     ClipRegion::Cuts Cuts;
     /// The mapper's report.
     vtkInterlumeReport* Report = nullptr;

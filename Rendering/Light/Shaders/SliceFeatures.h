@@ -48,7 +48,7 @@ public:
   /// Parts of a source that depend on more than macros.
   struct Sources
   {
-    /// The functions of vtkSliceMatter.
+    /// The functions of vtkSliceMedium.
     std::string Medium;
     /// What lights call to find the shadows of surfaces.
     std::string Surfaces;

@@ -10,7 +10,7 @@
 #include "Translucent/PaneMaps.h"
 
 #include "vtkProjectiveLight.h"
-#include "vtkSliceMatter.h"
+#include "vtkSliceMedium.h"
 
 #include <algorithm>
 #include <array>
@@ -43,7 +43,7 @@ void AddMedium(const VolumeRenderState& frame, SliceFeatures& features)
   {
     features.AddValue("VOLUME_NUMBER", frame.Number);
   }
-  features.Add("MATTER", frame.Matter != nullptr);
+  features.Add("MATTER", frame.Medium != nullptr);
   features.Add("MASK", !frame.Samples.Mask.empty());
   features.Add("GRADIENT_OPACITY", !material.GradientOpacity.empty());
   features.Add("BENDS", !material.Bends.empty());
@@ -62,7 +62,7 @@ void AddMedium(const VolumeRenderState& frame, SliceFeatures& features)
 // Returns the functions of a medium that is not that of the samples.
 std::string GetMedium(const VolumeRenderState& frame)
 {
-  return frame.Matter ? frame.Matter->GetSource() : std::string();
+  return frame.Medium ? frame.Medium->GetSource() : std::string();
 }
 
 // Returns whether light has colours of its own inside the matter, or another volume's.
@@ -333,7 +333,7 @@ double SliceShader::GetLargestExtinction(const VolumeRenderState& frame)
 
 double SliceShader::GetRampExtinction(const VolumeRenderState& frame)
 {
-  const bool isRamp = !frame.Matter && frame.Material.GradientOpacity.empty();
+  const bool isRamp = !frame.Medium && frame.Material.GradientOpacity.empty();
   return isRamp ? GetLargestExtinction(frame) : 0.0;
 }
 
@@ -349,7 +349,7 @@ bool SliceShader::HasThickPart(const VolumeRenderState& frame, std::size_t sweep
 
 bool SliceShader::HasEmptyPart(const VolumeRenderState& frame, std::size_t sweep)
 {
-  return frame.IsSoftware && frame.IsLit() && !frame.Matter &&
+  return frame.IsSoftware && frame.IsLit() && !frame.Medium &&
     frame.OccupiedFraction < MostForEmptyPart && !HasThickPart(frame, sweep);
 }
 
@@ -457,7 +457,7 @@ std::string SliceShader::GetNames(const VolumeRenderState& frame, bool isOcclude
   { names += has ? std::string(" ") + name : std::string(); };
   add(frame.Image->Eye.IsParallel, "parallel");
   add(!frame.Image->Eye.IsParallel, "perspective");
-  add(frame.Matter != nullptr, "matter");
+  add(frame.Medium != nullptr, "matter");
   add(!frame.Samples.Mask.empty(), "mask");
   add(!material.GradientOpacity.empty(), "gradient-opacity");
   add(frame.Region.Regions.HasGaps(), "cropping");

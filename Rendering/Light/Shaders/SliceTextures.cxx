@@ -8,7 +8,7 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
-#include "vtkSliceMatter.h"
+#include "vtkSliceMedium.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
@@ -330,9 +330,9 @@ void SliceTextures::Activate(vtkShaderProgram* program)
   activate(this->Bends, "bends");
   activate(this->Phases, "phases");
   activate(this->Scattered, "scattered");
-  if (this->Matter)
+  if (this->Medium)
   {
-    this->Matter->Activate(program);
+    this->Medium->Activate(program);
   }
 }
 
@@ -348,16 +348,16 @@ void SliceTextures::Suspend()
   {
     bound.first->Deactivate();
   }
-  if (this->Matter)
+  if (this->Medium)
   {
-    this->Matter->Deactivate();
+    this->Medium->Deactivate();
   }
 }
 
 bool SliceTextures::Resume()
 {
   // Programs have to be told of the textures of other matter again.
-  bool isSame = this->Matter == nullptr;
+  bool isSame = this->Medium == nullptr;
   for (const auto& bound : this->Active)
   {
     bound.first->Activate();

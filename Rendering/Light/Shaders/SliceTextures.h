@@ -13,7 +13,7 @@
 
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
-class vtkSliceMatter;
+class vtkSliceMedium;
 class vtkTextureObject;
 class vtkWindow;
 
@@ -51,7 +51,7 @@ public:
 
   /// The matter that is looked up in textures of its own, which are bound with these; null for
   /// none.
-  void SetMatter(vtkSliceMatter* matter) { this->Matter = matter; }
+  void SetMedium(vtkSliceMedium* medium) { this->Medium = medium; }
 
   /// The light that was scattered before; without a handle where there is none.
   vtkTextureObject* GetScattered() const { return this->Scattered; }
@@ -85,7 +85,7 @@ private:
   /// The sums that ExtinctionSums has yet to get.
   std::vector<float> SumTexels;
   ScreenTextures Screens;
-  vtkSliceMatter* Matter = nullptr;
+  vtkSliceMedium* Medium = nullptr;
   /// The textures that are bound, or suspended, with their units.
   std::vector<std::pair<vtkTextureObject*, int>> Active;
 };

@@ -13,7 +13,7 @@
 
 #include <array>
 
-class vtkSliceMatter;
+class vtkSliceMedium;
 
 namespace interlume
 {
@@ -34,7 +34,7 @@ struct VolumeRenderState
 
   /// The medium that replaces samples and material; null if these are used. They then only tell
   /// where the medium is.
-  vtkSliceMatter* Matter = nullptr;
+  vtkSliceMedium* Medium = nullptr;
 
   bool IsSoftware = false;
   /// See OccupancyEstimate.
@@ -61,7 +61,7 @@ struct VolumeRenderState
 
   /// Returns whether slices are drawn in tiles if the view permits: a graphics card does not need
   /// them, and a medium of its own has no small blocks.
-  bool HasTiles() const { return this->SmallBlocks.GetNumberOfBlocks() > 0 && !this->Matter; }
+  bool HasTiles() const { return this->SmallBlocks.GetNumberOfBlocks() > 0 && !this->Medium; }
   /// Returns whether lights change the color at all.
   bool IsLit() const
   {

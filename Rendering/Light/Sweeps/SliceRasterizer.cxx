@@ -356,7 +356,7 @@ void SliceRasterizer::FindOrder(std::size_t sweepIndex)
   {
     const VolumeRenderState& own = slices->GetFrame();
     this->IsDense = this->IsDense ||
-      (!own.Matter &&
+      (!own.Medium &&
         SliceShader::GetLargestExtinction(own) * sweep.Spacing > SlicePlan::DenseDepth);
     volumes.push_back({ &own.Space, own.Region.Box, 0.0 });
     this->HasThickPart = this->HasThickPart || SliceShader::HasThickPart(own, sweepIndex);

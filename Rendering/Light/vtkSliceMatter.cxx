@@ -1,4 +1,0 @@
-// SPDX-License-Identifier: BSD-3-Clause
-#include "vtkSliceMatter.h"
-
-vtkSliceMatter::~vtkSliceMatter() = default;
