@@ -14,10 +14,10 @@ set(prefix "${WORK_DIR}/prefix")
 file(REMOVE_RECURSE "${WORK_DIR}")
 run("installation" "${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${prefix}")
 
-# Every header at the root of a module is public, and no other: the rest that is installed is generated.
+# Every header vtk*.h at the root of a module is public, and no other: the rest that is installed is generated.
 set(public)
 foreach (folder IN LISTS MODULE_DIRS)
-  file(GLOB names RELATIVE "${folder}" "${folder}/*.h")
+  file(GLOB names RELATIVE "${folder}" "${folder}/vtk*.h")
   # Scene is for the other rendering modules only.
   if (NOT names AND NOT folder MATCHES "/Rendering/Scene$")
     message(FATAL_ERROR "${folder} has no public header")

@@ -12,6 +12,7 @@
 #include "vtkFlowVolume.h"
 #include "vtkImplicitFlowField.h"
 #include "vtkInflowMapping.h"
+#include "vtkInterlumeReport.h"
 #include "vtkIntervalVolume.h"
 #include "vtkIsotableContour.h"
 #include "vtkProjectiveLight.h"
@@ -85,6 +86,7 @@ std::vector<vtkSmartPointer<vtkObject>> MakeAll()
     Make<vtkImplicitFlowField>(),
     Make<vtkInflowMapping>(),
     Make<vtkIntervalVolume>(),
+    Make<vtkInterlumeReport>(),
     Make<vtkIsotableContour>(),
     Make<vtkProjectiveLight>(),
     Make<vtkShadowedScenePass>(),

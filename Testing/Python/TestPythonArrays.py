@@ -80,7 +80,9 @@ class Reported:
 assert report(Reported()) == {"Range": (0.5, 1e3), "Reason": "none given", "Empty": ()}
 same = vtkInterlumeReport()
 same.DeepCopy(values)
-assert same.IsEqual(values) and str(same) == str(values)
+assert same.IsEqual(values)
+lines = [line.strip() for line in str(same).splitlines()]
+assert lines[1:4] == ["Range: 0.5 1000", "Reason: none given", "Empty:"], str(same)
 same.GetAbstractArray("Range").SetValue(1, 2.0)
 assert not same.IsEqual(values)
 try:
