@@ -18,9 +18,9 @@ namespace interlume
 
 /**
  * @class   ReportValue
- * @brief   a value with its name, as the array that a report has of it
+ * @brief   converts a named value to an array of a report
  *
- * Numbers, texts, and C arrays, std::array and std::vector of them.
+ * Values are numbers, texts, and C arrays, std::array and std::vector of them.
  */
 class ReportValue
 {
@@ -32,7 +32,7 @@ public:
     this->Array->SetName(name);
   }
 
-  /// Adds values to a report, which replace those of the same name.
+  /// Adds values to a report. Values of the same name are replaced.
   static void Add(vtkInterlumeReport* report, std::initializer_list<ReportValue> values)
   {
     for (const ReportValue& value : values)

@@ -9,15 +9,15 @@
 
 /**
  * @class   vtkInterlumeReport
- * @brief   named values that tell what the last execution of a filter or mapper did
+ * @brief   named values that describe the last execution of a filter or mapper
  *
- * GetReport() of a filter or mapper returns its report; the object stays the same, and each
- * execution replaces its values. The documentation of the class lists the values to act on. There
- * are further ones, for tests and benchmarks, whose names may change.
+ * GetReport() of a filter or mapper returns its report, whose values are replaced by each
+ * execution. The documentation of the filter or mapper lists the values to act on. Names of other
+ * values, for tests and benchmarks, may change.
  *
  * Each value is an array of vtkFieldData: vtkIdTypeArray for counts, sizes in bytes, ids and flags
- * (0 or 1), vtkDoubleArray for other numbers, vtkStringArray for texts. Most have one tuple of one
- * component. In Python, interlume.report(filter) returns them as a dictionary.
+ * (0 or 1), vtkDoubleArray for other numbers, vtkStringArray for texts. Most have one entry. In
+ * Python, interlume.report(filter) returns them as a dictionary.
  */
 class INTERLUMECOMMON_EXPORT vtkInterlumeReport : public vtkFieldData
 {
@@ -30,7 +30,7 @@ public:
   /// Returns whether there is a value of that name.
   bool Has(const std::string& name) { return this->GetAbstractArray(name.c_str()) != nullptr; }
 
-  /// Returns the number of entries of a value, 0 if there is none of that name.
+  /// Returns the number of entries of a value, or 0 if there is no value of that name.
   vtkIdType GetSize(const std::string& name);
 
   ///@{

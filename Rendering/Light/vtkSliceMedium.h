@@ -13,9 +13,9 @@ class vtkShaderProgram;
  * @class   vtkSliceMedium
  * @brief   a medium that slices evaluate by GLSL functions instead of a volume's scalars
  *
- * A mapper of such a medium has a vtkShadowedSliceMapper of its own and gives it the medium by
- * SetMedium. The scalars of that mapper then only tell, by its transfer functions, which blocks of
- * 16^3 cells are not empty, and are not sent to the graphics card.
+ * A mapper of such a medium has a vtkShadowedSliceMapper of its own and calls its SetMedium. The
+ * scalars of that mapper then only determine, by its transfer functions, which blocks of 16^3 cells
+ * are not empty, and are not uploaded.
  *
  * **Functions** in the source, with any uniforms and textures whose names no slice has:
  * - `float mediumAt(vec3 p, mat3 size, out vec3 color)` returns the extinction per unit of length

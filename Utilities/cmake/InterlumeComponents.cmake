@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # interlume_component(MODULE NAME [USES COMPONENT...] [SOURCES NAME...])
 # Adds the private sources in the directory NAME to the library MODULE, such as InterlumeFlow, as an object
-# library. Of the module it can include its public headers, its own, and those of the components that it uses,
-# directly or not, which come before it in the CMakeLists.txt: components make no circle. Without SOURCES it is
-# headers alone, which are compiled together to check what they include. To be called after
-# vtk_module_add_module and interlume_use_headers.
+# library. It can include its own headers, the public ones of the module, and those of the components that it
+# uses, directly or indirectly. These come before it in the CMakeLists.txt, so dependencies are acyclic. A
+# component without SOURCES consists of headers, which are compiled together to check what they include. Call
+# it after vtk_module_add_module and interlume_use_headers.
 function (interlume_component module name)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "USES;SOURCES")
   set(visible ${name})
@@ -31,8 +31,8 @@ function (interlume_component module name)
 
   set(component ${module}${name})
   add_library(${component} OBJECT ${sources})
-  # What the module's sources include, without the module's own directory. VTK's headers are SYSTEM, since
-  # this way nothing tells them from others.
+  # The include directories of the module without its own directory. All are SYSTEM, since the property does
+  # not distinguish those of VTK.
   set(own "${CMAKE_CURRENT_SOURCE_DIR}|${CMAKE_CURRENT_BINARY_DIR}|${PROJECT_SOURCE_DIR}/Filters")
   target_include_directories(${component}
     PRIVATE "${folder}" "${CMAKE_CURRENT_BINARY_DIR}" "${PROJECT_SOURCE_DIR}/Filters")
