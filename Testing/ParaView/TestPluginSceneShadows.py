@@ -144,7 +144,7 @@ def check_several(checks, view, sources):
     displays["slab"].SceneDepthBias = 3.0
     simple.Render(other)
     text = str(drawing_pass(other))
-    for line in ("DepthMapResolution: 2000", "DepthBias: 3", "Volumes: 2", "Casters: 2"):
+    for line in ("DepthMapResolution: 2000", "DepthBias: 3", "Volumes: 2", "ShadowCasters: 2"):
         checks.that(f" {line}\n" in text, f"two volumes: {line}")
     simple.Delete(displays["slab"])
     simple.Render(other)
