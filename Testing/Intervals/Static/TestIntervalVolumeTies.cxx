@@ -12,8 +12,14 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
+#include "vtkIntervalVolume.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <limits>
+#include <string>
 
 namespace
 {
@@ -55,12 +61,58 @@ void CheckSidesOfZeroWidth(Check& check)
     }
   }
 }
+
+/// An output point at a grid point has its values exactly, whatever the points beyond the bound
+/// hold. Along x the scalars are 0, 1, 2 and turned about from row to row, so that cells are cut at
+/// points that equal the bound 1; the other array is NaN where the scalar is 0, and infinite at
+/// some other points.
+void CheckValuesAtBounds(Check& check)
+{
+  check.SetContext("values at grid points");
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 3, 3);
+  vtkNew<vtkDoubleArray> scalars;
+  scalars->SetName("f");
+  vtkNew<vtkDoubleArray> other;
+  other->SetName("a");
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const double value = static_cast<double>((i % 3 + i / 3 + 2 * (i / 9)) % 3);
+    scalars->InsertNextValue(value);
+    other->InsertNextValue(value == 0.0 ? std::numeric_limits<double>::quiet_NaN()
+        : i % 4 == 0                    ? std::numeric_limits<double>::infinity()
+                                        : 10.0 + static_cast<double>(i));
+  }
+  image->GetPointData()->SetScalars(scalars);
+  image->GetPointData()->AddArray(other);
+  vtkNew<vtkIntervalVolume> volume;
+  volume->SetInputData(image);
+  volume->SetInterval(0, 1.0, 2.0);
+  volume->Update();
+  auto* output = vtkUnstructuredGrid::SafeDownCast(volume->GetOutputDataObject(0));
+  vtkDataArray* found = output->GetPointData()->GetArray("a");
+  int atGridPoints = 0;
+  for (vtkIdType p = 0; p < output->GetNumberOfPoints(); ++p)
+  {
+    const vtkIdType i = image->FindPoint(output->GetPoint(p));
+    double position[3];
+    image->GetPoint(i, position);
+    if (vtkMath::Distance2BetweenPoints(position, output->GetPoint(p)) == 0.0)
+    {
+      ++atGridPoints;
+      check.That(scalars->GetValue(i) >= 1.0 && found->GetComponent(p, 0) == other->GetValue(i),
+        "value of point " + std::to_string(i));
+    }
+  }
+  check.That(atGridPoints > 10, "there are such points");
+}
 }
 
 int TestIntervalVolumeTies(int, char*[])
 {
   Check check;
   CheckSidesOfZeroWidth(check);
+  CheckValuesAtBounds(check);
   struct Values
   {
     int Number;
