@@ -9,6 +9,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 
+#include <cstring>
 #include <initializer_list>
 #include <string>
 #include <type_traits>
@@ -18,18 +19,22 @@ namespace interlume
 
 /**
  * @class   ReportValue
- * @brief   converts a named value to an array of a report
+ * @brief   writes a named value to an array of a report
  *
- * Values are numbers, texts, and C arrays, std::array and std::vector of them.
+ * Values are numbers, texts, and C arrays, std::array and std::vector of them. A ReportValue refers
+ * to its value, so it is made in the call that writes it. Arrays of the report are reused, since
+ * making them would take a tenth of an update of small data.
  */
 class ReportValue
 {
 public:
   template <typename Value>
   ReportValue(const char* name, const Value& value)
-    : Array(MakeArray(value))
+    : Name(name)
+    , Address(&value)
+    , Write([](const void* address, vtkAbstractArray* old)
+        { return WriteArray(*static_cast<const Value*>(address), old); })
   {
-    this->Array->SetName(name);
   }
 
   /// Adds values to a report. Values of the same name are replaced.
@@ -37,65 +42,98 @@ public:
   {
     for (const ReportValue& value : values)
     {
-      report->AddArray(value.Array);
+      vtkAbstractArray* old = report->GetAbstractArray(value.Name);
+      const vtkSmartPointer<vtkAbstractArray> array = value.Write(value.Address, old);
+      if (array != old)
+      {
+        array->SetName(value.Name);
+        report->AddArray(array);
+      }
     }
   }
   /// Replaces all values of a report.
   static void Set(vtkInterlumeReport* report, std::initializer_list<ReportValue> values)
   {
-    report->Initialize();
+    if (!BeginsWith(report, values))
+    {
+      report->Initialize();
+    }
     Add(report, values);
   }
 
 private:
+  /// Returns whether the report has these names first. Values that were added later follow them.
+  static bool BeginsWith(vtkInterlumeReport* report, std::initializer_list<ReportValue> values)
+  {
+    int i = 0;
+    for (const ReportValue& value : values)
+    {
+      const char* name = report->GetArrayName(i++);
+      if (!name || std::strcmp(name, value.Name) != 0)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
   template <typename Value>
-  static vtkSmartPointer<vtkAbstractArray> MakeArray(const Value& value)
+  static vtkSmartPointer<vtkAbstractArray> WriteArray(const Value& value, vtkAbstractArray* old)
   {
     if constexpr (std::is_convertible_v<Value, std::string>)
     {
-      return Fill<vtkStringArray, std::string>(&value, &value + 1);
+      return Fill<vtkStringArray, std::string>(&value, &value + 1, old);
     }
     else if constexpr (std::is_arithmetic_v<Value>)
     {
-      return FillNumbers<Value>(&value, &value + 1);
+      return FillNumbers<Value>(&value, &value + 1, old);
     }
     else
     {
       using Entry = std::decay_t<decltype(*std::begin(value))>;
       if constexpr (std::is_arithmetic_v<Entry>)
       {
-        return FillNumbers<Entry>(std::begin(value), std::end(value));
+        return FillNumbers<Entry>(std::begin(value), std::end(value), old);
       }
       else
       {
-        return Fill<vtkStringArray, std::string>(std::begin(value), std::end(value));
+        return Fill<vtkStringArray, std::string>(std::begin(value), std::end(value), old);
       }
     }
   }
   template <typename Number, typename Iterator>
-  static vtkSmartPointer<vtkAbstractArray> FillNumbers(Iterator first, Iterator last)
+  static vtkSmartPointer<vtkAbstractArray> FillNumbers(
+    Iterator first, Iterator last, vtkAbstractArray* old)
   {
     if constexpr (std::is_floating_point_v<Number>)
     {
-      return Fill<vtkDoubleArray, double>(first, last);
+      return Fill<vtkDoubleArray, double>(first, last, old);
     }
     else
     {
-      return Fill<vtkIdTypeArray, vtkIdType>(first, last);
+      return Fill<vtkIdTypeArray, vtkIdType>(first, last, old);
     }
   }
   template <typename Array, typename Entry, typename Iterator>
-  static vtkSmartPointer<vtkAbstractArray> Fill(Iterator first, Iterator last)
+  static vtkSmartPointer<vtkAbstractArray> Fill(
+    Iterator first, Iterator last, vtkAbstractArray* old)
   {
-    auto array = vtkSmartPointer<Array>::New();
+    vtkSmartPointer<Array> array = Array::SafeDownCast(old);
+    if (!array)
+    {
+      array = vtkSmartPointer<Array>::New();
+    }
+    array->Reset();
     for (; first != last; ++first)
     {
       array->InsertNextValue(static_cast<Entry>(*first));
     }
+    array->Modified();
     return array;
   }
 
-  vtkSmartPointer<vtkAbstractArray> Array;
+  const char* Name;
+  const void* Address;
+  vtkSmartPointer<vtkAbstractArray> (*Write)(const void*, vtkAbstractArray*);
 };
 
 }
